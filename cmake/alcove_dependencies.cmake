@@ -1,0 +1,20 @@
+# Third-party parts (DESIGN, "Parts chosen"). Headers are SYSTEM, so that their warnings are not ours.
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(OpenImageIO REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(TinyGLTF REQUIRED)
+find_package(Boost REQUIRED)
+find_package(GTest REQUIRED)
+find_package(benchmark REQUIRED)
+
+add_library(alcove_glm INTERFACE)
+target_compile_definitions(alcove_glm INTERFACE GLM_FORCE_XYZW_ONLY GLM_ENABLE_EXPERIMENTAL GLM_FORCE_CTOR_INIT)
+
+add_library(alcove_xxhash INTERFACE)
+target_link_libraries(alcove_xxhash INTERFACE xxhash)
+
+# Debian's embree exports a bare target name.
+add_library(alcove_embree INTERFACE)
+target_link_libraries(alcove_embree INTERFACE embree)
