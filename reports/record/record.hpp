@@ -1,0 +1,236 @@
+#pragma once
+// The run folder: what a run leaves behind, written so that a kill at any moment loses at most the round in flight, and
+// read back without the program that made it. The layout and every column are documented in reports/README.md.
+//
+//   context.json                      build, device, timers: made once
+//   plan.json                         what is to be run, with the description of every unit: made once
+//   rounds/<id>/{samples.csv,metrics.csv,done.json}   a finished round; the folder appears by one rename
+//   samples.csv, metrics.csv          all finished rounds, rebuilt after each
+//   images/<round>/<cell>/...         pictures of the chosen frames
+//   report/index.html                 the page
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alcove {
+
+/// Raised whenever a file's layout or a column's meaning changes; older and newer folders are refused by name.
+inline constexpr int kRunSchemaVersion = 1;
+
+/// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece. Intervals and gates use
+/// the envelope.
+enum class SampleKind { divided, envelope };
+/// cold: as replayed, history reset at the segment's start. converged: time and camera held for warm_frames() first.
+enum class SampleState { cold, converged };
+
+[[nodiscard]] std::string_view to_text(SampleKind kind);
+[[nodiscard]] std::string_view to_text(SampleState state);
+
+/// One time: one pass (or envelope) of one frame in one repeat.
+struct SampleRow {
+    std::string round;
+    std::string cell; ///< a cell's id; "harness" for rows charged to nobody (base G-buffer, compose)
+    int segment = 0;
+    int frame = 0;
+    int repeat = 0; ///< from 0
+    SampleKind kind = SampleKind::divided;
+    SampleState state = SampleState::cold;
+    /// "hemisphere_ssao/occlusion"; "envelope" for kind envelope; "input/base", "input/motion", "harness/compose"
+    std::string pass;
+    std::int64_t time_ns = 0;
+    bool cached = false; ///< input cost stored with a reused G-buffer; gates ignore it
+};
+
+/// One number of one metric for one frame's image.
+struct MetricRow {
+    std::string round;
+    std::string cell;
+    int segment = 0;
+    int frame = 0;
+    SampleState state = SampleState::cold;
+    std::string metric;
+    std::optional<double> value; ///< empty where infinite or undefined; `note` says why
+    std::optional<double> debiased;
+    std::optional<double> floor; ///< what the reference's own noise would give
+    std::string note;
+    std::string image_hash; ///< of the method's visibility, 16 hexadecimal digits
+};
+
+struct SegmentRecord {
+    int begin = 0;
+    int end = 0; ///< exclusive
+    [[nodiscard]] bool is_single() const { return end - begin == 1; }
+};
+
+struct ParameterRecord {
+    std::string name;
+    std::string value;
+    std::string unit;
+    std::string symbol;
+    std::string provenance;
+};
+
+/// What a cell is in its round. The two anchors are the A/A pair.
+enum class CellRole { method, anchor, anchor_repeat };
+
+struct CellRecord {
+    std::string id;     ///< unique in the run, safe as a folder name: [a-z0-9_.-]
+    std::string label;  ///< what people read: "hemisphere_ssao@strong_blur:samples=32"
+    std::string method;
+    std::string preset; ///< "default" if none
+    CellRole role = CellRole::method;
+    bool has_passes = true; ///< false for `none`: its time is 0 by definition and has no ratio row
+    std::vector<ParameterRecord> parameters;
+    std::string target;         ///< describe(Target) as asked for
+    std::string target_note;    ///< what the method cannot map, in words; empty if it maps all of it
+    int warm_frames = 0;        ///< 0: one value stands in both the cold and the converged column
+    std::string effects = "all";
+};
+
+struct RoundRecord {
+    std::string id; ///< safe as a folder name
+    std::string scene;
+    std::string walkthrough;
+    std::string target;
+    int width = 0;
+    int height = 0;
+    std::string precision; ///< "raster_depth=32F,eye_depth=32F"
+    std::vector<SegmentRecord> segments;
+    std::vector<int> image_frames; ///< frames whose pictures are kept
+    std::vector<CellRecord> cells; ///< the anchor twice and up to 8 methods
+    std::size_t scene_vertices = 0;
+    std::size_t scene_triangles = 0;
+    double ao_radius_m = 0.0;
+};
+
+struct MetricDescription {
+    std::string name;
+    std::string title;
+    std::string unit;
+    std::string definition;
+    std::string blind_to;
+    std::string domain;     ///< "values" or "view"
+    bool lower_is_better = true;
+};
+
+struct MethodDescription {
+    std::string name;
+    std::string title;
+    std::string citation;
+    std::string content_hash;
+};
+
+struct SceneDescription {
+    std::string name;
+    std::string title;
+    std::string stresses;
+    std::string license;
+    std::string content_hash;
+};
+
+struct SkippedScene {
+    std::string scene;
+    std::string reason; ///< with the command that mends it
+};
+
+struct PlanRecord {
+    int schema_version = kRunSchemaVersion;
+    std::string experiment; ///< "default", "quick", "command-line"
+    std::string command_line;
+    int repeats = 0;
+    std::uint64_t shuffle_seed = 0;
+    int reference_rays_per_half = 0;
+    std::vector<RoundRecord> rounds;
+    std::vector<SkippedScene> skipped;
+    std::vector<MethodDescription> methods;
+    std::vector<MetricDescription> metrics;
+    std::vector<SceneDescription> scenes;
+};
+
+/// One line of `alcove doctor`'s timer table.
+struct TimerTrialRecord {
+    std::string mode;     ///< "timestamp_finish"
+    std::string sequence; ///< "D", "C", "DD", "DC", "CD", "DCD"
+    int pass = 0;         ///< index in the sequence
+    int attempt = 0;      ///< from 0
+    double ratio = 0.0;   ///< median of 9: pass in the sequence / that pass alone under wall clock
+    bool accepted = false;
+};
+
+struct ContextRecord {
+    int schema_version = kRunSchemaVersion;
+    std::string started_utc; ///< ISO 8601
+    std::string build_id;    ///< hash of sources, compiler and flags
+    std::string build_type;
+    std::string compiler;
+    std::string device_class; ///< "software", "integrated", "discrete", "datacentre", "translated"
+    std::string gl_vendor;
+    std::string gl_renderer;
+    std::string gl_version;
+    std::string context_kind; ///< "osmesa"
+    std::string cpu;
+    std::string cpu_features; ///< those a driver's code generator looks at
+    int cpu_threads = 0;
+    int driver_threads = 0;
+    std::string timer_mode; ///< accepted mode, or "fenced_wall"
+    double timer_tick_ns = 0.0;
+    std::vector<TimerTrialRecord> timer_trials;
+    std::string anchor_version;
+};
+
+/// A round's closing note, beside its two CSVs.
+struct RoundDone {
+    double wall_s = 0.0;
+    double gbuffer_s = 0.0;  ///< parts of the wall time
+    double passes_s = 0.0;
+    double metrics_s = 0.0;
+    double reference_s = 0.0; ///< tracing or reading the reference
+    double images_s = 0.0;    ///< writing pictures
+    bool reference_cached = false;
+};
+
+/// A run folder on disk.
+class RunFolder {
+  public:
+    /// Creates it. Throws InputError if it cannot be written to or already holds a run.
+    [[nodiscard]] static RunFolder create(const std::filesystem::path& path,
+                                          const ContextRecord& context, const PlanRecord& plan);
+    /// Opens an existing one. Throws InputError naming the file, line or key on anything malformed, and on another
+    /// schema version.
+    [[nodiscard]] static RunFolder open(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
+    [[nodiscard]] const ContextRecord& context() const noexcept { return m_context; }
+    [[nodiscard]] const PlanRecord& plan() const noexcept { return m_plan; }
+
+    [[nodiscard]] bool is_finished(const std::string& round_id) const;
+    /// All rounds of the plan are finished.
+    [[nodiscard]] bool is_complete() const;
+
+    /// Writes rounds/<id> under a temporary name, syncs, renames, then rebuilds the two CSVs on top.
+    void finish_round(const std::string& round_id, const std::vector<SampleRow>& samples,
+                      const std::vector<MetricRow>& metrics, const RoundDone& done);
+    /// Writes samples.csv and metrics.csv anew from the finished rounds.
+    void rebuild_tables() const;
+
+    /// Rows of all finished rounds.
+    [[nodiscard]] std::vector<SampleRow> read_samples() const;
+    [[nodiscard]] std::vector<MetricRow> read_metrics() const;
+    [[nodiscard]] std::optional<RoundDone> read_done(const std::string& round_id) const;
+
+    /// images/<round>/<cell>/<name>, relative to the run folder with '/' separators. `cell` may be "reference".
+    [[nodiscard]] static std::string make_image_path(const std::string& round_id,
+                                                     const std::string& cell_id, int frame,
+                                                     std::string_view picture);
+
+  private:
+    RunFolder(std::filesystem::path path, ContextRecord context, PlanRecord plan);
+    std::filesystem::path m_path;
+    ContextRecord m_context;
+    PlanRecord m_plan;
+};
+
+} // namespace alcove
