@@ -1,0 +1,61 @@
+#pragma once
+// OpenGL 4.5 core contexts. Their libraries are opened at run time, so that one binary starts where one is missing.
+
+#include "core/gl/functions.hpp"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alcove::gl {
+
+/// autodetect: the embedded default, OSMesa. egl and glfw have their place here and are refused until they are built.
+enum class ContextKind { autodetect, osmesa, egl, glfw };
+[[nodiscard]] std::string_view to_text(ContextKind kind);
+/// Throws InputError with the nearest name.
+[[nodiscard]] ContextKind parse_context_kind(std::string_view text);
+
+/// What executes the passes; printed beside every time.
+struct DeviceInfo {
+    std::string device_class; ///< "software" for llvmpipe, softpipe and swrast; otherwise "hardware"
+    std::string vendor;
+    std::string renderer;
+    std::string version;
+    std::string context; ///< "osmesa"
+};
+
+class Context {
+  public:
+    virtual ~Context() = default;
+    Context(const Context&) = delete;
+    Context& operator=(const Context&) = delete;
+
+    [[nodiscard]] const Functions& functions() const noexcept { return m_functions; }
+    [[nodiscard]] const DeviceInfo& device() const noexcept { return m_device; }
+
+    /// Throws FailureError with the driver's words if it reported a GL error since the last call.
+    void check_errors();
+
+    /// Brings back the state every method may rely on: no framebuffer, program, vertex array, texture, sampler, image or
+    /// buffer bound, blending, depth test, culling and scissor off, all masks on, default clip control and packing.
+    void reset_state();
+
+  protected:
+    explicit Context(std::string context_name) { m_device.context = std::move(context_name); }
+    /// To be called by the derived class once its context is current.
+    void initialise(Resolver resolve);
+
+  private:
+    static void APIENTRY collect_message(GLenum source, GLenum type, GLuint id, GLenum severity,
+                                         GLsizei length, const GLchar* message, const void* user);
+    Functions m_functions;
+    DeviceInfo m_device;
+    std::vector<std::string> m_errors;
+};
+
+/// Creates a context and makes it current on the calling thread. Throws FailureError naming the library and package
+/// that is missing, or InputError for a kind that is planned.
+[[nodiscard]] std::unique_ptr<Context> open_context(ContextKind kind);
+
+} // namespace alcove::gl
