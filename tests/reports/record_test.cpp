@@ -1,0 +1,279 @@
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "reports/record/csv.hpp"
+#include "reports/record/record.hpp"
+#include "reports/record/record_csv.hpp"
+#include "reports/record/record_json.hpp"
+#include "tests/reports/synthetic_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace alcove {
+namespace {
+
+namespace fs = std::filesystem;
+using synthetic::TemporaryFolder;
+
+/// The text of the InputError that `act` throws.
+template <class Act>
+std::string error_of(const Act& act) {
+    try {
+        act();
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t position = text.find(from);
+    EXPECT_NE(position, std::string::npos) << from;
+    return text.replace(position, from.size(), to);
+}
+
+::testing::AssertionResult contains(const std::string& text, const std::string& part) {
+    if (text.find(part) != std::string::npos) {
+        return ::testing::AssertionSuccess();
+    }
+    return ::testing::AssertionFailure() << "`" << part << "` is not in `" << text << "`";
+}
+
+TEST(Csv, QuotesWhatNeedsItAndReadsItBack) {
+    const std::vector<std::string> fields = {"plain",     "",           "a,b",
+                                             "say \"x\"", "two\nlines", " space "};
+    std::string text;
+    append_csv_line(text, fields);
+    EXPECT_EQ(text, "plain,,\"a,b\",\"say \"\"x\"\"\",\"two\nlines\", space \n");
+    CsvReader reader(text, "t.csv");
+    std::vector<std::string> read;
+    ASSERT_TRUE(reader.next(read));
+    EXPECT_EQ(read, fields);
+    EXPECT_FALSE(reader.next(read));
+}
+
+TEST(Csv, CountsLinesAcrossQuotedLineBreaks) {
+    CsvReader reader("a,\"1\n2\"\r\nb,c\r\nd\"e,f\n", "t.csv");
+    std::vector<std::string> read;
+    ASSERT_TRUE(reader.next(read));
+    ASSERT_TRUE(reader.next(read));
+    EXPECT_EQ(read, (std::vector<std::string>{"b", "c"}));
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(reader.next(read)); }), "t.csv:4"));
+}
+
+TEST(Csv, RefusesACutFile) {
+    for (const char* text : {"a,b", "a,\"b\n", "a,\"b\""}) {
+        CsvReader reader(text, "t.csv");
+        std::vector<std::string> read;
+        EXPECT_TRUE(contains(error_of([&] { static_cast<void>(reader.next(read)); }), "cut off"));
+    }
+}
+
+TEST(RecordJson, SafeIds) {
+    for (const char* id : {"a", "tssao-strong_blur.2", "..a"}) {
+        EXPECT_TRUE(is_safe_id(id)) << id;
+    }
+    for (const char* id : {"", ".", "..", "a/b", "A", "a b", "a.tmp-1", "\xc3\xa4"}) {
+        EXPECT_FALSE(is_safe_id(id)) << id;
+    }
+}
+
+TEST(RecordJson, PlanAndContextRoundTrip) {
+    const PlanRecord plan = synthetic::make_plan({.hostile = true});
+    const std::string text = make_json(plan);
+    const PlanRecord read = parse_plan_json(text, "plan.json");
+    EXPECT_EQ(make_json(read), text);
+    EXPECT_EQ(read.shuffle_seed, plan.shuffle_seed);
+    EXPECT_EQ(read.rounds[1].cells[5].role, CellRole::method);
+    EXPECT_EQ(read.rounds[1].cells[1].role, CellRole::anchor_repeat);
+    EXPECT_EQ(read.rounds[0].cells[3].label, plan.rounds[0].cells[3].label);
+
+    ContextRecord context = synthetic::make_context();
+    context.timer_trials[0].ratio = std::numeric_limits<double>::infinity();
+    context.timer_tick_ns = 0.1 + 0.2;
+    const ContextRecord back = parse_context_json(make_json(context), "context.json");
+    EXPECT_EQ(back.timer_trials[0].ratio, context.timer_trials[0].ratio);
+    EXPECT_EQ(back.timer_tick_ns, context.timer_tick_ns);
+}
+
+TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
+    const std::string good = make_json(synthetic::make_plan({}));
+    const auto error = [&](const std::string& from, const std::string& to) {
+        return error_of(
+            [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
+    };
+    EXPECT_TRUE(contains(error("\"schema_version\": 1", "\"schema_version\": 2"),
+                         "dir/plan.json: schema_version: another schema version: found `2`"));
+    EXPECT_TRUE(contains(error("\"repeats\"", "\"repeat\""), "repeats: the key is missing"));
+    EXPECT_TRUE(
+        contains(error("\"repeats\": 6", "\"extra\": 1, \"repeats\": 6"), "extra: unknown key"));
+    EXPECT_TRUE(contains(error("\"repeats\": 6", "\"repeats\": \"6\""), "repeats: wrong type"));
+    EXPECT_TRUE(
+        contains(error("\"repeats\": 6", "\"repeats\": -6"), "repeats: wrong type or range"));
+    EXPECT_TRUE(contains(error("\"repeats\": 6", "\"repeats\": 6000000000"),
+                         "repeats: wrong type or range"));
+    EXPECT_TRUE(contains(error("\"id\": \"tssao\"", "\"id\": \"../x\""),
+                         "rounds[0].cells[5].id: not a safe folder name: found `../x`"));
+    EXPECT_TRUE(contains(error("\"id\": \"tssao\"", "\"id\": \"none\""), "stands twice"));
+    EXPECT_TRUE(contains(error("\"id\": \"tssao\"", "\"id\": \"reference\""), "stands twice"));
+    EXPECT_TRUE(contains(error("\"role\": \"anchor\"", "\"role\": \"boss\""),
+                         "rounds[0].cells[0].role: unknown role"));
+    EXPECT_TRUE(
+        contains(error("\"end\": 16", "\"end\": 0"), "rounds[0].segments[0]: an empty segment"));
+    EXPECT_TRUE(contains(
+        error_of([&] { static_cast<void>(parse_plan_json(good.substr(0, good.size() / 2), "p")); }),
+        "not JSON or cut off"));
+    EXPECT_TRUE(
+        contains(error_of([&] { static_cast<void>(parse_plan_json("[]", "p")); }), "an object"));
+}
+
+TEST(RecordCsv, RowsRoundTrip) {
+    const PlanRecord plan = synthetic::make_plan({});
+    const RoundRecord& round = plan.rounds[0];
+    std::vector<SampleRow> samples = {{round.id, "harness", 0, 3, 5, SampleKind::divided,
+                                       SampleState::cold, "input/base", -12345678901234, true}};
+    const auto sample =
+        parse_samples_csv(make_samples_csv(samples), "s", round, plan.repeats).at(0);
+    EXPECT_EQ(sample.time_ns, -12345678901234);
+    EXPECT_TRUE(sample.cached);
+    EXPECT_EQ(sample.pass, "input/base");
+
+    std::vector<MetricRow> metrics = {{round.id, "tssao", 3, 6, SampleState::converged, "psnr",
+                                       std::nullopt, 0.1 + 0.2, std::nullopt, "equal, \"infinite\"",
+                                       "00ff00ff00ff00ff"}};
+    const auto metric = parse_metrics_csv(make_metrics_csv(metrics), "m", round).at(0);
+    EXPECT_FALSE(metric.value);
+    EXPECT_EQ(metric.debiased, 0.1 + 0.2);
+    EXPECT_EQ(metric.state, SampleState::converged);
+    EXPECT_EQ(metric.note, "equal, \"infinite\"");
+}
+
+TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
+    const PlanRecord plan = synthetic::make_plan({});
+    const RoundRecord& round = plan.rounds[0];
+    const SampleRow row{round.id,          "tssao",    0,    3,    5, SampleKind::envelope,
+                        SampleState::cold, "envelope", 1000, false};
+    const std::string good = make_samples_csv({row, row});
+    const auto error = [&](const std::string& from, const std::string& to) {
+        return error_of([&] {
+            static_cast<void>(
+                parse_samples_csv(replaced(good, from, to), "samples.csv", round, plan.repeats));
+        });
+    };
+    EXPECT_EQ(error("tssao,0,3", "tssao,0,3"), "no error");
+    EXPECT_TRUE(
+        contains(error("pass,time_ns", "time_ns,pass"), "samples.csv:1: the header is wrong"));
+    EXPECT_TRUE(
+        contains(error("tssao,0,3", "ghost,0,3"), "samples.csv:2: column cell: unknown cell"));
+    EXPECT_TRUE(
+        contains(error("tssao,0,3", "tssao,11,3"), "samples.csv:2: column segment: out of range"));
+    EXPECT_TRUE(contains(error("tssao,0,3", "tssao,0,16"), "column frame: out of range"));
+    EXPECT_TRUE(contains(error("3,5,env", "3,6,env"), "column repeat: out of range"));
+    EXPECT_TRUE(contains(error("envelope,cold", "sideways,cold"), "column kind: unknown name"));
+    EXPECT_TRUE(contains(error("1000,0", "1000.5,0"), "column time_ns: not an integer"));
+    EXPECT_TRUE(contains(error("1000,0", "1000,yes"), "column cached"));
+    EXPECT_TRUE(
+        contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
+    EXPECT_TRUE(
+        contains(error("\n1,", "\n2,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(contains(error("1,r0-balls", "1,r1-courtyard"), "a row of another round"));
+    const std::string cut = good.substr(0, good.size() - 4);
+    EXPECT_TRUE(contains(error_of([&] {
+                             static_cast<void>(
+                                 parse_samples_csv(cut, "samples.csv", round, plan.repeats));
+                         }),
+                         "samples.csv:3: the file is cut off"));
+}
+
+TEST(RunFolder, KeepsEveryRow) {
+    const TemporaryFolder temporary;
+    const RunFolder run = synthetic::write_run(temporary.path() / "run", {});
+    EXPECT_TRUE(run.is_complete());
+    std::vector<SampleRow> expected;
+    for (const RoundRecord& round : run.plan().rounds) {
+        const auto part = synthetic::make_samples(run.plan(), round);
+        expected.insert(expected.end(), part.begin(), part.end());
+    }
+    EXPECT_EQ(make_samples_csv(run.read_samples()), make_samples_csv(expected));
+    EXPECT_EQ(read_file(run.path() / "samples.csv"), make_samples_csv(expected));
+    EXPECT_EQ(read_file(run.path() / "metrics.csv"), make_metrics_csv(run.read_metrics()));
+    EXPECT_EQ(run.read_done("r0-balls")->wall_s, 61.5);
+    EXPECT_FALSE(run.read_done("nobody"));
+}
+
+TEST(RunFolder, RefusesAFolderThatHoldsARun) {
+    const TemporaryFolder temporary;
+    const auto create = [&] {
+        static_cast<void>(RunFolder::create(temporary.path() / "run", synthetic::make_context(),
+                                            synthetic::make_plan({})));
+    };
+    create();
+    EXPECT_TRUE(contains(error_of(create), "already holds a run"));
+}
+
+TEST(RunFolder, RefusesAPlanThatNobodyCouldRead) {
+    const TemporaryFolder temporary;
+    PlanRecord plan = synthetic::make_plan({});
+    plan.rounds[0].cells[2].id = "../../x";
+    EXPECT_TRUE(contains(error_of([&] {
+                             static_cast<void>(RunFolder::create(temporary.path() / "run",
+                                                                 synthetic::make_context(), plan));
+                         }),
+                         "rounds[0].cells[2].id"));
+    EXPECT_FALSE(fs::exists(temporary.path() / "run" / "plan.json"));
+}
+
+TEST(RunFolder, ACreateThatWasKilledIsNoRunAndCanBeDoneAgain) {
+    const TemporaryFolder temporary;
+    write_file_atomically(temporary.path() / "plan.json", "half");
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(RunFolder::open(temporary.path())); }),
+                         "not a run folder"));
+    static_cast<void>(
+        RunFolder::create(temporary.path(), synthetic::make_context(), synthetic::make_plan({})));
+    EXPECT_FALSE(RunFolder::open(temporary.path()).is_complete());
+}
+
+TEST(RunFolder, AKilledRoundIsIgnoredAndCleared) {
+    const TemporaryFolder temporary;
+    static_cast<void>(synthetic::write_run(temporary.path(), {.finished_rounds = 1}));
+    // No process has this number: it is above the kernel's limit of 2^22.
+    const fs::path stray = temporary.path() / "rounds" / "r1-courtyard.tmp-2000000000";
+    write_file_atomically(stray / "samples.csv", "schema,rou");
+    // Process 1 is always there.
+    const fs::path live = temporary.path() / "rounds" / "r1-courtyard.tmp-1";
+    write_file_atomically(live / "samples.csv", "schema,rou");
+    RunFolder run = RunFolder::open(temporary.path());
+    EXPECT_FALSE(fs::exists(stray));
+    EXPECT_TRUE(fs::exists(live));
+    EXPECT_FALSE(run.is_finished("r1-courtyard"));
+    EXPECT_TRUE(run.is_finished("r0-balls"));
+    const RoundRecord round = run.plan().rounds[1];
+    run.finish_round(round.id, synthetic::make_samples(run.plan(), round), {}, {});
+    EXPECT_TRUE(run.is_complete());
+    EXPECT_EQ(read_file(temporary.path() / "samples.csv"), make_samples_csv(run.read_samples()));
+}
+
+TEST(RunFolder, ADamagedRoundIsNamed) {
+    const TemporaryFolder temporary;
+    const RunFolder run = synthetic::write_run(temporary.path(), {.finished_rounds = 1});
+    const fs::path file = temporary.path() / "rounds" / "r0-balls" / "samples.csv";
+    const std::string text = read_file(file);
+    write_file_atomically(file, text.substr(0, text.size() - 3));
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(run.read_samples()); }), file.string()));
+    write_file_atomically(temporary.path() / "rounds" / "r0-balls" / "done.json", "{}");
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(run.read_done("r0-balls")); }),
+                         "done.json: schema_version: the key is missing"));
+}
+
+TEST(RunFolder, ImagePaths) {
+    EXPECT_EQ(RunFolder::make_image_path("r0-balls", "reference", 7, "visibility"),
+              "images/r0-balls/reference/0007_visibility.png");
+}
+
+TEST(RunFolderDeathTest, ImagePathsOfUnsafeNames) {
+    EXPECT_DEATH(static_cast<void>(RunFolder::make_image_path("..", "a", 0, "visibility")), "safe");
+}
+
+} // namespace
+} // namespace alcove
