@@ -1,0 +1,44 @@
+#include "core/frame/compose.hpp"
+
+#include "core/gl/gl_timer_bench.hpp"
+
+#include <algorithm>
+
+namespace alcove {
+
+Compose::Compose(const gl::Functions& gl, ImageSize size)
+    : m_gl(gl), m_picture(gl, GL_RGBA16F, size),
+      m_framebuffer(gl::create_framebuffer(gl, {&m_picture})),
+      m_program(gl, gl::ShaderLibrary{embedded_frame_shaders(), gl::embedded_gl_shaders()},
+                "core/frame/compose.frag.glsl") {}
+
+void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
+                     const gl::Texture* visibility, const gl::Texture* radiance,
+                     PassRecorder& passes) {
+    ALCOVE_ASSERT((visibility != nullptr) != (radiance != nullptr),
+                  "a visibility or a radiance image");
+    const auto pass = passes.scope("harness/compose");
+    m_program.use();
+    m_gl.BindTextureUnit(0, gbuffer.texture(Channel::eye_depth).get());
+    m_gl.BindTextureUnit(1, gbuffer.texture(Channel::albedo).get());
+    m_gl.BindTextureUnit(2, gbuffer.texture(Channel::direct_light).get());
+    m_gl.BindTextureUnit(3, (visibility != nullptr ? visibility : radiance)->get());
+    m_gl.Uniform1i(m_program.location("eye_depth_texture"), 0);
+    m_gl.Uniform1i(m_program.location("albedo_texture"), 1);
+    m_gl.Uniform1i(m_program.location("direct_light_texture"), 2);
+    m_gl.Uniform1i(m_program.location("method_texture"), 3);
+    m_gl.Uniform1i(m_program.location("is_radiance"), radiance != nullptr ? 1 : 0);
+    m_gl.Uniform3f(m_program.location("ambient"), ambient.x, ambient.y, ambient.z);
+    m_program.draw(m_framebuffer.get(), m_picture.size());
+}
+
+Image tone_map(const Image& radiance) {
+    Image mapped = radiance;
+    for (float& value : mapped.values()) {
+        const float x = std::max(value, 0.0f);
+        value = std::min(x * (1.0f + x / 16.0f) / (1.0f + x), 1.0f);
+    }
+    return mapped;
+}
+
+} // namespace alcove

@@ -1,0 +1,48 @@
+#include "core/frame/gbuffer.hpp"
+
+#include <vector>
+
+namespace alcove {
+namespace {
+
+GLenum get_raster_format(RasterDepth depth) {
+    switch (depth) {
+    case RasterDepth::float32:
+        return GL_DEPTH_COMPONENT32F;
+    case RasterDepth::unorm24:
+        return GL_DEPTH_COMPONENT24;
+    case RasterDepth::unorm16:
+        break;
+    }
+    return GL_DEPTH_COMPONENT16;
+}
+
+} // namespace
+
+GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
+                 const Precision& precision)
+    : m_size(size), m_channels(channels), m_precision(precision),
+      m_raster_depth(gl, get_raster_format(precision.raster_depth), size) {
+    std::vector<const gl::Texture*> targets;
+    for (const ChannelInfo& info : kChannels) {
+        if (!channels.contains(info.channel)) {
+            continue;
+        }
+        const bool is_half = info.channel == Channel::eye_depth &&
+                             precision.eye_depth == EyeDepth::float16;
+        gl::Texture& texture = m_textures.at(static_cast<std::size_t>(info.channel));
+        texture = gl::Texture(gl, is_half ? GLenum{GL_R16F} : info.format, size);
+        targets.push_back(&texture);
+    }
+    m_framebuffer = gl::create_framebuffer(gl, std::span(targets), &m_raster_depth);
+    if (precision.eye_depth == EyeDepth::from_raster && channels.contains(Channel::eye_depth)) {
+        m_rebuild_framebuffer = gl::create_framebuffer(gl, {&texture(Channel::eye_depth)});
+    }
+}
+
+const gl::Texture& GBuffer::texture(Channel channel) const {
+    ALCOVE_ASSERT(m_channels.contains(channel), "a channel that was asked for");
+    return m_textures.at(static_cast<std::size_t>(channel));
+}
+
+} // namespace alcove

@@ -1,0 +1,43 @@
+// Writes the channels that the frame's methods declared (core/frame/channels.hpp).
+#include "channel_outputs.glsl"
+in vec3 view_normal;
+in float eye_depth;
+in vec3 motion;
+
+uniform vec3 albedo;
+uniform uint instance_id;
+uniform int light_count;
+uniform vec3 light_direction[4];
+uniform vec3 light_irradiance[4];
+
+const float kInversePi = 0.31830989;
+
+vec3 compute_direct_light(vec3 n) {
+    vec3 irradiance = vec3(0.0);
+    for (int i = 0; i < light_count; ++i) {
+        irradiance += light_irradiance[i] * max(dot(n, light_direction[i]), 0.0);
+    }
+    return irradiance * albedo * kInversePi;
+}
+
+void main() {
+    vec3 n = normalize(gl_FrontFacing ? view_normal : -view_normal);
+#ifdef WRITE_eye_depth
+    out_eye_depth = eye_depth;
+#endif
+#ifdef WRITE_normal
+    out_normal = vec4(n, 0.0);
+#endif
+#ifdef WRITE_albedo
+    out_albedo = vec4(albedo, 1.0);
+#endif
+#ifdef WRITE_direct_light
+    out_direct_light = vec4(compute_direct_light(n), 1.0);
+#endif
+#ifdef WRITE_motion
+    out_motion = vec4(motion, 0.0);
+#endif
+#ifdef WRITE_instance_id
+    out_instance_id = instance_id;
+#endif
+}
