@@ -1,0 +1,242 @@
+#include "reports/analysis/analysis.hpp"
+
+#include "reports/analysis/metrics.hpp"
+#include "reports/analysis/series.hpp"
+#include "reports/record/record_csv.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace alcove {
+namespace {
+
+constexpr const char* kBasePass = "input/base";
+constexpr const char* kComposePass = "harness/compose";
+
+/// The rows of one cell, sorted by what they mean.
+struct CellSeries {
+    Series envelope;
+    Series converged;
+    Series inputs;
+    Series compose;
+    Series divided; ///< sum of its own passes
+    std::vector<std::string> pass_order;
+    std::map<std::string, Series> passes;
+    std::map<std::string, bool> cached;
+};
+
+bool is_input(const std::string& pass) {
+    return pass.starts_with("input/");
+}
+
+void add_row(CellSeries& cell, const SampleRow& row) {
+    const FrameKey frame{row.segment, row.frame};
+    const auto add = [&](Series& series) { series.add(frame, row.repeat, row.time_ns); };
+    if (row.kind == SampleKind::envelope) {
+        add(row.state == SampleState::cold ? cell.envelope : cell.converged);
+        return;
+    }
+    if (row.state == SampleState::converged) {
+        return; // converged times are envelopes; their passes are not tabled
+    }
+    if (row.pass == kComposePass) {
+        add(cell.compose);
+        return;
+    }
+    add(is_input(row.pass) ? cell.inputs : cell.divided);
+    if (!cell.passes.contains(row.pass)) {
+        cell.pass_order.push_back(row.pass);
+    }
+    add(cell.passes[row.pass]);
+    cell.cached[row.pass] = cell.cached[row.pass] || row.cached;
+}
+
+std::vector<PassAnalysis> analyze_passes(const CellSeries& series, double tick_ns) {
+    std::vector<PassAnalysis> passes;
+    for (const std::string& name : series.pass_order) {
+        PassAnalysis pass;
+        pass.pass = name;
+        pass.time_ms = *estimate_time_ms(series.passes.at(name));
+        pass.is_input = is_input(name);
+        pass.is_cached = series.cached.at(name);
+        pass.is_under_resolution =
+            !pass.is_input && pass.time_ms.value * 1e6 < kResolvedTicks * tick_ns;
+        passes.push_back(std::move(pass));
+    }
+    std::stable_sort(
+        passes.begin(), passes.end(),
+        [](const PassAnalysis& a, const PassAnalysis& b) { return a.is_input && !b.is_input; });
+    return passes;
+}
+
+/// Combines two series repeat by repeat, where both have the repeat.
+template <class Combine>
+std::map<int, double> combine_repeats(const std::map<int, double>& a,
+                                      const std::map<int, double>& b, const Combine& combine) {
+    std::map<int, double> result;
+    for (const auto& [repeat, value] : a) {
+        if (const auto found = b.find(repeat); found != b.end()) {
+            result[repeat] = combine(value, found->second);
+        }
+    }
+    return result;
+}
+
+std::optional<Estimate> estimate_repeats(const std::map<int, double>& per_repeat) {
+    if (per_repeat.empty()) {
+        return std::nullopt;
+    }
+    return estimate_across_repeats(get_values(per_repeat));
+}
+
+std::optional<Estimate> estimate_total(const CellSeries& cell, const Series& base,
+                                       bool has_passes) {
+    const auto plus = [](double a, double b) { return a + b; };
+    std::map<int, double> total = combine_repeats(base.compute_repeat_medians_ms(),
+                                                  cell.compose.compute_repeat_medians_ms(), plus);
+    if (has_passes) {
+        total = combine_repeats(total, cell.envelope.compute_repeat_medians_ms(), plus);
+    }
+    if (!cell.inputs.empty()) {
+        total = combine_repeats(total, cell.inputs.compute_repeat_medians_ms(), plus);
+    }
+    return estimate_repeats(total);
+}
+
+Percentiles compute_percentiles(const std::vector<double>& times_ms) {
+    return {compute_quantile(times_ms, 0.5), compute_quantile(times_ms, 0.95), times_ms.size()};
+}
+
+void analyze_frames(CellAnalysis& cell, const Series& envelope) {
+    std::vector<double> medians;
+    for (const auto& [key, repeats] : envelope.times_ns()) {
+        std::vector<double> times_ms = get_values(repeats);
+        for (double& time : times_ms) {
+            time *= 1e-6;
+        }
+        const auto [minimum, maximum] = std::minmax_element(times_ms.begin(), times_ms.end());
+        const double median = compute_median(times_ms);
+        cell.frame_times.push_back(
+            {key.first, key.second, median, *minimum, *maximum, times_ms.size()});
+        medians.push_back(median);
+    }
+    if (!medians.empty()) {
+        cell.content = compute_percentiles(medians);
+        cell.noise = compute_percentiles(get_values(envelope.compute_repeat_medians_ms()));
+    }
+}
+
+CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, const Series& base,
+                          const Series& anchor, double tick_ns) {
+    CellAnalysis cell;
+    cell.cell = record;
+    cell.time_ms = estimate_time_ms(series.envelope);
+    cell.converged_time_ms =
+        record.warm_frames > 0 ? estimate_time_ms(series.converged) : cell.time_ms;
+    if (record.role != CellRole::anchor && !series.envelope.empty()) {
+        cell.ratio = estimate_ratio(series.envelope, anchor);
+    }
+    cell.input_ms = estimate_time_ms(series.inputs);
+    cell.compose_ms = estimate_time_ms(series.compose);
+    cell.total_ms = estimate_total(series, base, record.has_passes);
+    cell.has_cached_input = std::any_of(series.cached.begin(), series.cached.end(),
+                                        [](const auto& entry) { return entry.second; });
+    cell.passes = analyze_passes(series, tick_ns);
+    std::map<int, double> coverage = combine_repeats(
+        series.divided.compute_repeat_medians_ms(), series.envelope.compute_repeat_medians_ms(),
+        [](double divided, double envelope) { return divided / envelope; });
+    std::erase_if(coverage, [](const auto& entry) {
+        return !(entry.second < std::numeric_limits<double>::infinity());
+    });
+    cell.coverage = estimate_repeats(coverage);
+    analyze_frames(cell, series.envelope);
+    return cell;
+}
+
+RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
+                            const std::vector<SampleRow>& samples,
+                            const std::vector<MetricRow>& metrics) {
+    RoundAnalysis result;
+    result.round = round;
+    result.done = run.read_done(round.id).value_or(RoundDone{});
+    std::map<std::string, CellSeries> series;
+    Series base;
+    for (const SampleRow& row : samples) {
+        if (row.cell == kHarnessCell) {
+            if (row.pass == kBasePass) {
+                base.add({row.segment, row.frame}, row.repeat, row.time_ns);
+            }
+        } else {
+            add_row(series[row.cell], row);
+        }
+    }
+    const auto find_role = [&](CellRole role) {
+        const auto found = std::find_if(round.cells.begin(), round.cells.end(),
+                                        [&](const CellRecord& cell) { return cell.role == role; });
+        return found == round.cells.end() ? Series() : series[found->id].envelope;
+    };
+    const Series anchor = find_role(CellRole::anchor);
+    for (const CellRecord& cell : round.cells) {
+        result.cells.push_back(
+            analyze_cell(cell, series[cell.id], base, anchor, run.context().timer_tick_ns));
+    }
+    result.base_ms = estimate_time_ms(base);
+    result.aa_ratio = estimate_ratio(find_role(CellRole::anchor_repeat), anchor);
+    if (result.aa_ratio) {
+        result.minimum_detectable_effect = compute_minimum_detectable_effect(*result.aa_ratio);
+    }
+    analyze_metrics(result, metrics, run.plan());
+    mark_front(result, run.plan());
+    return result;
+}
+
+template <class Row>
+std::map<std::string, std::vector<Row>> group_by_round(std::vector<Row> rows) {
+    std::map<std::string, std::vector<Row>> groups;
+    for (Row& row : rows) {
+        groups[row.round].push_back(std::move(row));
+    }
+    return groups;
+}
+
+} // namespace
+
+const MetricAnalysis* CellAnalysis::find(SampleState state, const std::string& metric) const {
+    const std::vector<MetricAnalysis>& table = state == SampleState::cold ? cold : converged;
+    const auto found = std::find_if(table.begin(), table.end(), [&](const MetricAnalysis& m) {
+        return m.metric == metric && m.frames > 0;
+    });
+    return found == table.end() ? nullptr : &*found;
+}
+
+const MetricDescription* RunAnalysis::find_metric(const std::string& name) const {
+    const auto found = std::find_if(plan.metrics.begin(), plan.metrics.end(),
+                                    [&](const MetricDescription& m) { return m.name == name; });
+    return found == plan.metrics.end() ? nullptr : &*found;
+}
+
+RunAnalysis analyze_run(const RunFolder& run, std::vector<ProvisionalRow> provisional) {
+    RunAnalysis analysis;
+    analysis.context = run.context();
+    analysis.plan = run.plan();
+    analysis.is_complete = run.is_complete();
+    analysis.is_timer_validated =
+        std::any_of(run.context().timer_trials.begin(), run.context().timer_trials.end(),
+                    [&](const TimerTrialRecord& trial) {
+                        return trial.accepted && trial.mode == run.context().timer_mode;
+                    });
+    std::map<std::string, std::vector<SampleRow>> samples = group_by_round(run.read_samples());
+    std::map<std::string, std::vector<MetricRow>> metrics = group_by_round(run.read_metrics());
+    for (const RoundRecord& round : run.plan().rounds) {
+        if (run.is_finished(round.id)) {
+            analysis.rounds.push_back(
+                analyze_round(run, round, samples[round.id], metrics[round.id]));
+        }
+    }
+    std::erase_if(provisional,
+                  [&](const ProvisionalRow& row) { return run.is_finished(row.round); });
+    analysis.provisional = std::move(provisional);
+    return analysis;
+}
+
+} // namespace alcove

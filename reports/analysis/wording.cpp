@@ -1,0 +1,118 @@
+#include "reports/analysis/wording.hpp"
+
+#include "core/base/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/core.h>
+
+namespace alcove {
+namespace {
+
+/// Decimals that show two significant digits of `width`, but no less than 3 and no more than 5
+/// digits of `value`.
+int choose_decimals(double value, double width) {
+    const auto exponent = [](double x) { return static_cast<int>(std::floor(std::log10(x))); };
+    const double magnitude = std::abs(value);
+    const int leading = magnitude > 0.0 ? exponent(magnitude) : 0;
+    const int from_width = width > 0.0 ? 1 - exponent(width) : 2 - leading;
+    return std::clamp(from_width, std::max(0, 2 - leading), std::max(0, 4 - leading));
+}
+
+std::string list_front(const RoundAnalysis& round) {
+    std::vector<const CellAnalysis*> front;
+    for (const CellAnalysis& cell : round.cells) {
+        if (cell.is_on_front && cell.ratio) {
+            front.push_back(&cell);
+        }
+    }
+    std::sort(front.begin(), front.end(), [](const CellAnalysis* a, const CellAnalysis* b) {
+        return a->ratio->value < b->ratio->value;
+    });
+    std::string text;
+    for (const CellAnalysis* cell : front) {
+        const MetricAnalysis* error = cell->find(SampleState::cold, round.front_metric);
+        text += fmt::format("{}{} ({}x the anchor, {} {})", text.empty() ? "" : "; ",
+                            cell->cell.label, format_rounded(cell->ratio->value),
+                            round.front_metric, format_error(*error));
+    }
+    return text;
+}
+
+} // namespace
+
+EstimateText format_estimate(const Estimate& estimate) {
+    const double lower = estimate.interval ? estimate.interval->lower : estimate.minimum;
+    const double upper = estimate.interval ? estimate.interval->upper : estimate.maximum;
+    const int decimals = choose_decimals(estimate.value, 0.5 * (upper - lower));
+    const auto format = [&](double value) { return fmt::format("{:.{}f}", value, decimals); };
+    return {format(estimate.value),
+            estimate.interval
+                ? fmt::format("[{}, {}] (n={})", format(lower), format(upper), estimate.n)
+                : fmt::format("{}..{} (n={})", format(lower), format(upper), estimate.n)};
+}
+
+std::string describe_estimate(const Estimate& estimate) {
+    const EstimateText text = format_estimate(estimate);
+    return text.value + " " + text.spread;
+}
+
+std::string format_error(const MetricAnalysis& error) {
+    if (error.is_below_floor) {
+        return (error.shown() < *error.floor ? "< " : "> ") + format_rounded(*error.floor);
+    }
+    return format_rounded(error.shown());
+}
+
+std::string format_percent(double fraction) {
+    return format_rounded(100.0 * fraction, 2) + " %";
+}
+
+std::string describe_device(const ContextRecord& context) {
+    return fmt::format("{}: {}, {} threads, {}", context.device_class, context.gl_renderer,
+                       context.driver_threads, context.context_kind);
+}
+
+std::string describe_timer(const RunAnalysis& analysis) {
+    const ContextRecord& context = analysis.context;
+    return fmt::format("timer {} ({}), tick {} ns", context.timer_mode,
+                       analysis.is_timer_validated
+                           ? "validated in this context"
+                           : "fenced by glFinish, no timer query was accepted",
+                       format_rounded(context.timer_tick_ns));
+}
+
+std::string describe_noise(const RoundAnalysis& round) {
+    if (!round.aa_ratio) {
+        return "noise unknown: the anchor was not timed twice";
+    }
+    return fmt::format("A/A {}: time differences under {} are not told from noise",
+                       describe_estimate(*round.aa_ratio),
+                       format_percent(*round.minimum_detectable_effect));
+}
+
+std::string describe_floor(const RoundAnalysis& round) {
+    if (!round.reference_floor) {
+        return "no reference floor";
+    }
+    std::string text = fmt::format("reference floor {} {}", format_rounded(*round.reference_floor),
+                                   round.front_metric);
+    if (round.smallest_error && *round.smallest_error > *round.reference_floor) {
+        text += fmt::format(", {} of the smallest error",
+                            format_percent(*round.reference_floor / *round.smallest_error));
+    } else if (round.smallest_error) {
+        text += ", above the smallest error: more reference rays are needed to rank it";
+    }
+    return text;
+}
+
+std::string describe_verdict(const RoundAnalysis& round) {
+    const std::string front = list_front(round);
+    if (front.empty()) {
+        return "No method has both a time and an error here.";
+    }
+    return "Not beaten in both time and error: " + front + ".";
+}
+
+} // namespace alcove

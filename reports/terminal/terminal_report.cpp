@@ -1,0 +1,130 @@
+#include "reports/terminal/terminal_report.hpp"
+
+#include "reports/analysis/wording.hpp"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace alcove {
+namespace {
+
+using Lines = std::vector<std::vector<std::string>>;
+
+/// Control characters would let a label from a file rewrite the terminal.
+std::string clean(std::string text) {
+    std::replace_if(
+        text.begin(), text.end(),
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
+    return text;
+}
+
+std::size_t count_characters(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+std::string align(const Lines& lines) {
+    std::vector<std::size_t> widths;
+    for (const std::vector<std::string>& line : lines) {
+        widths.resize(std::max(widths.size(), line.size()));
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            widths[i] = std::max(widths[i], count_characters(line[i]));
+        }
+    }
+    std::string text;
+    for (const std::vector<std::string>& line : lines) {
+        std::string row = " ";
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            row += ' ' + line[i] + std::string(widths[i] - count_characters(line[i]) + 1, ' ');
+        }
+        row.erase(row.find_last_not_of(' ') + 1);
+        text += row + '\n';
+    }
+    return text;
+}
+
+std::string format_optional(const std::optional<Estimate>& estimate) {
+    return estimate ? describe_estimate(*estimate) : "-";
+}
+
+std::string format_metric(const CellAnalysis& cell, SampleState state, const std::string& metric) {
+    const MetricAnalysis* error = cell.find(state, metric);
+    return error == nullptr ? "-" : fmt::format("{} (n={})", format_error(*error), error->frames);
+}
+
+std::vector<std::string> make_line(const CellAnalysis& cell,
+                                   const std::vector<std::string>& metrics) {
+    std::vector<std::string> line = {cell.is_on_front ? "*" : "", clean(cell.cell.label)};
+    if (cell.cell.has_passes) {
+        line.push_back(cell.cell.role == CellRole::anchor ? "1 (the unit)"
+                                                          : format_optional(cell.ratio));
+        line.push_back(format_optional(cell.time_ms));
+    } else {
+        line.insert(line.end(), {"-", "0 (no passes)"});
+    }
+    line.push_back(format_optional(cell.total_ms));
+    for (const std::string& metric : metrics) {
+        line.push_back(format_metric(cell, SampleState::cold, metric));
+        line.push_back(format_metric(cell, SampleState::converged, metric));
+    }
+    return line;
+}
+
+/// The error that the front is drawn with, and ssim beside it.
+std::vector<std::string> choose_metrics(const RoundAnalysis& round) {
+    std::vector<std::string> metrics;
+    for (const std::string& metric : round.metrics) {
+        if (metric == round.front_metric || metric == "ssim") {
+            metrics.push_back(metric);
+        }
+    }
+    return metrics;
+}
+
+std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& round) {
+    const std::string unit = " [ms " + analysis.context.device_class + "]";
+    const std::vector<std::string> metrics = choose_metrics(round);
+    Lines lines = {{"", "method", "x anchor", "AO" + unit, "frame" + unit}};
+    for (const std::string& metric : metrics) {
+        lines[0].push_back(metric + " cold");
+        lines[0].push_back(metric + " converged");
+    }
+    for (const CellAnalysis& cell : round.cells) {
+        lines.push_back(make_line(cell, metrics));
+    }
+    return fmt::format("{} {}x{}, {}\n{}  {}\n  {}; {}\n\n", clean(round.round.scene),
+                       round.round.width, round.round.height, clean(round.round.target),
+                       align(lines), clean(describe_verdict(round)), clean(describe_noise(round)),
+                       clean(describe_floor(round)));
+}
+
+} // namespace
+
+std::string make_terminal_report(const RunAnalysis& analysis, const std::filesystem::path& page) {
+    std::string text;
+    for (const RoundAnalysis& round : analysis.rounds) {
+        text += describe_round(analysis, round);
+    }
+    for (const ProvisionalRow& row : analysis.provisional) {
+        text += fmt::format("provisional: {} {:.3f} ms {} (n=1)\n", clean(row.label), row.time_ms,
+                            analysis.context.device_class);
+    }
+    for (const SkippedScene& skipped : analysis.plan.skipped) {
+        text += fmt::format("skipped: {}: {}\n", clean(skipped.scene), clean(skipped.reason));
+    }
+    if (!analysis.is_complete) {
+        text += fmt::format("in progress: {} of {} rounds finished\n", analysis.rounds.size(),
+                            analysis.plan.rounds.size());
+    }
+    text +=
+        "Times: [95 % interval] or min..max over n repeats. Errors: mean over n frames, `<` their "
+        "floor where the reference's own noise is larger.\n* not beaten in both time and error\n";
+    text += fmt::format("{}; {}\n", clean(describe_device(analysis.context)),
+                        clean(describe_timer(analysis)));
+    text += "report: " + page.string() + "\n";
+    return text;
+}
+
+} // namespace alcove
