@@ -1,0 +1,134 @@
+#include "scenes/bunny/bunny.hpp"
+
+#include "core/base/error.hpp"
+#include "scenes/bunny/bunny_package.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+namespace alcove {
+namespace {
+
+std::unique_ptr<Scene> open_default() {
+    const SceneUnit unit = bunny_unit();
+    return unit.open(unit.parameters.resolve({}, {}));
+}
+
+class BunnyScene : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const auto obstacle = bunny_unit().find_obstacle()) {
+            GTEST_SKIP() << *obstacle;
+        }
+        m_scene = open_default();
+        m_bunny = &m_scene->get_meshes()[0];
+    }
+    std::unique_ptr<Scene> m_scene;
+    const Mesh* m_bunny = nullptr;
+};
+
+TEST_F(BunnyScene, IsTheWholeScan) {
+    EXPECT_EQ(m_bunny->positions.size(), 1839u);
+    EXPECT_EQ(m_bunny->indices.size(), 3u * 3674u);
+}
+
+TEST_F(BunnyScene, IsClosedAndTurnedOutward) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    double volume = 0.0;
+    for (std::size_t i = 0; i < m_bunny->indices.size(); i += 3) {
+        glm::dvec3 corner[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t a = m_bunny->indices[i + k];
+            ++edges[{a, m_bunny->indices[i + (k + 1) % 3]}];
+            corner[k] = m_bunny->positions[a];
+        }
+        volume += glm::dot(corner[0], glm::cross(corner[1], corner[2])) / 6.0;
+    }
+    for (const auto& [edge, count] : edges) {
+        EXPECT_EQ(count, 1);
+        EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
+    }
+    EXPECT_NEAR(volume, 0.194, 0.002); // 194.3 cubic units of 0.1 m
+}
+
+TEST_F(BunnyScene, StandsOnTheFloorAndIsAboutAMetreHigh) {
+    float low = 1e9f;
+    float high = -1e9f;
+    for (const glm::vec3& position : m_bunny->positions) {
+        low = std::min(low, position.y);
+        high = std::max(high, position.y);
+    }
+    EXPECT_EQ(low, 0.0f);
+    EXPECT_NEAR(high, 0.9658, 0.0005);
+    const Mesh& floor = m_scene->get_meshes()[1];
+    float top = -1e9f;
+    for (const glm::vec3& position : floor.positions) {
+        top = std::max(top, position.y);
+    }
+    EXPECT_EQ(top, 0.0f);
+}
+
+TEST_F(BunnyScene, HasNoFaceInThePlaneOfTheFloor) {
+    for (std::size_t i = 0; i < m_bunny->indices.size(); i += 3) {
+        float highest = 0.0f;
+        for (std::size_t k = 0; k < 3; ++k) {
+            highest = std::max(highest, m_bunny->positions[m_bunny->indices[i + k]].y);
+        }
+        EXPECT_GT(highest, 1e-4f);
+    }
+}
+
+TEST_F(BunnyScene, IsTheSameTwice) {
+    EXPECT_EQ(hash_geometry(*m_scene, 0.0), hash_geometry(*open_default(), 7.0));
+    EXPECT_NO_THROW(check_scene(*m_scene, "bunny"));
+    EXPECT_EQ(m_scene->get_walkthrough().cameras.size(), 120u);
+}
+
+TEST(BunnyPackage, TellsTheCommandWhenItIsMissing) {
+    const char* before = std::getenv("ALCOVE_NODE_MODULES");
+    const std::string kept = before == nullptr ? "" : before;
+    ::setenv("ALCOVE_NODE_MODULES", "/nonexistent", 1);
+    const auto obstacle = bunny_unit().find_obstacle();
+    ASSERT_TRUE(obstacle.has_value());
+    EXPECT_NE(obstacle->find("npm ci"), std::string::npos);
+    EXPECT_THROW(static_cast<void>(open_default()), InputError);
+    if (before == nullptr) {
+        ::unsetenv("ALCOVE_NODE_MODULES");
+    } else {
+        ::setenv("ALCOVE_NODE_MODULES", kept.c_str(), 1);
+    }
+}
+
+TEST(BunnyPackage, ReadsArraysWithoutExecuting) {
+    const BunnyData data = parse_bunny_package(
+        "exports.positions = [[0,0,0],[1,0,0],[0,1.5,-2e-1]]\nexports.cells=[[0,1,2]]\n", "x.js");
+    ASSERT_EQ(data.positions.size(), 3u);
+    EXPECT_EQ(data.positions[2], glm::dvec3(0.0, 1.5, -0.2));
+    ASSERT_EQ(data.cells.size(), 1u);
+    EXPECT_EQ(data.cells[0][2], 2u);
+}
+
+TEST(BunnyPackage, RejectsWhatIsNotTwoArrays) {
+    const std::string positions = "exports.positions=[[0,0,0],[1,0,0],[0,1,0]]\n";
+    const auto parse = [](const std::string& text) {
+        static_cast<void>(parse_bunny_package(text, "x.js"));
+    };
+    EXPECT_THROW(parse(""), InputError);
+    EXPECT_THROW(parse(positions), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[[0,1,2]"), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[]"), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[[0,1]]"), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[[0,1,3]]"), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[[0,1,-1]]"), InputError);
+    EXPECT_THROW(parse(positions + "exports.cells=[[0,1,f()]]"), InputError);
+    EXPECT_THROW(parse("exports.positions=[[0,0]]\nexports.cells=[[0,0,0]]"), InputError);
+    EXPECT_THROW(parse("exports.positions=[[1e999,0,0]]\nexports.cells=[[0,0,0]]"), InputError);
+}
+
+} // namespace
+} // namespace alcove
