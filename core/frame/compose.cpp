@@ -23,10 +23,6 @@ void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
     m_gl.BindTextureUnit(1, gbuffer.texture(Channel::albedo).get());
     m_gl.BindTextureUnit(2, gbuffer.texture(Channel::direct_light).get());
     m_gl.BindTextureUnit(3, (visibility != nullptr ? visibility : radiance)->get());
-    m_gl.Uniform1i(m_program.location("eye_depth_texture"), 0);
-    m_gl.Uniform1i(m_program.location("albedo_texture"), 1);
-    m_gl.Uniform1i(m_program.location("direct_light_texture"), 2);
-    m_gl.Uniform1i(m_program.location("method_texture"), 3);
     m_gl.Uniform1i(m_program.location("is_radiance"), radiance != nullptr ? 1 : 0);
     m_gl.Uniform3f(m_program.location("ambient"), ambient.x, ambient.y, ambient.z);
     m_program.draw(m_framebuffer.get(), m_picture.size());

@@ -1,8 +1,8 @@
 // The shaded picture from a method's image.
-uniform sampler2D eye_depth_texture;
-uniform sampler2D albedo_texture;
-uniform sampler2D direct_light_texture;
-uniform sampler2D method_texture; // visibility in r, or radiance in rgb
+layout(binding = 0) uniform sampler2D eye_depth_texture;
+layout(binding = 1) uniform sampler2D albedo_texture;
+layout(binding = 2) uniform sampler2D direct_light_texture;
+layout(binding = 3) uniform sampler2D method_texture; // visibility in r, or radiance in rgb
 uniform bool is_radiance;
 uniform vec3 ambient;
 layout(location = 0) out vec4 picture;

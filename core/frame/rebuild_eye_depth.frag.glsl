@@ -1,5 +1,5 @@
 // Eye depth from raster depth, with all its quantisation (precision axis eye_depth=raster).
-uniform sampler2D raster_depth;
+layout(binding = 0) uniform sampler2D raster_depth;
 uniform vec2 depth_range;        // scale and offset from stored depth to clip z / w
 uniform vec2 projection_z;       // P22, P32
 uniform float background_depth;  // the cleared value

@@ -159,7 +159,6 @@ void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const glm::dmat4& 
     m_gl.Disable(GL_DEPTH_TEST);
     m_rebuild.use();
     m_gl.BindTextureUnit(0, gbuffer.raster_depth().get());
-    m_gl.Uniform1i(m_rebuild.location("raster_depth"), 0);
     // With z' = (P22 z + P32) / -z and z' = scale * depth + offset: eye = P32 / (z' + P22).
     m_gl.Uniform2f(m_rebuild.location("depth_range"), reversed ? 1.0f : 2.0f,
                    reversed ? 0.0f : -1.0f);

@@ -1,0 +1,36 @@
+#pragma once
+// Points in the oriented hemisphere, projected and compared with the depth buffer: the estimator that Mattausch, Scherzer
+// and Wimmer (2010) build on, without history. With the step length uniform in [0, r] an occluder at distance d is
+// counted with probability 1 - d/r, which is linear falloff.
+
+#include "core/contract/method.hpp"
+
+#include <vector>
+
+#include <glm/vec4.hpp>
+
+namespace alcove {
+
+enum class KernelDirections { uniform, cosine };
+enum class KernelBorder { open, clamp };
+
+struct HemisphereSsaoParams {
+    double radius = 0.5;       ///< metres
+    int samples = 16;          ///< a pixel
+    KernelDirections directions = KernelDirections::cosine;
+    bool rotation = true;      ///< a random angle about the normal, a pixel
+    double cut = 2.0;          ///< in radii
+    double bias = 1.0;         ///< in half pixel footprints along the surface
+    KernelBorder border = KernelBorder::open;
+    int blur_radius = 2;       ///< pixels on each side; 0: no blur
+    double blur_edge = 0.05;   ///< in radii off the tangent plane
+};
+
+/// The sample points: xyz = unit direction with z along the normal, w = step length in radii.
+/// Halton points 1..n in bases 2 (elevation), 3 (azimuth), 5 (step length).
+[[nodiscard]] std::vector<glm::vec4> make_hemisphere_kernel(int samples,
+                                                            KernelDirections directions);
+
+[[nodiscard]] MethodUnit hemisphere_ssao_unit();
+
+} // namespace alcove

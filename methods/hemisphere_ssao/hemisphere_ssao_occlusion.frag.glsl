@@ -1,0 +1,70 @@
+// This work is based on: Mattausch, Scherzer, Wimmer. High-quality screen-space ambient occlusion using temporal
+// coherence. 2010, equation (2) with points in the hemisphere, and on their cut of 2 r. The bias is ours (see README).
+#include "parameters.glsl"
+#include "core/frame/reconstruct.glsl"
+#include "methods/common/noise.glsl"
+#include "methods/common/tangent_frame.glsl"
+layout(binding = 0) uniform sampler2D eye_depth_texture;
+layout(binding = 1) uniform sampler2D normal_texture;
+layout(std140) uniform KernelBlock { vec4 kernel[param_samples]; };
+uniform vec2 tangents;
+uniform uint noise_seed;
+layout(location = 0) out float visibility;
+
+const float kTwoPi = 6.2831853;
+// Rounding of a 32-bit sample depth against a 32-bit stored depth: 8 units in the last place.
+const float kRoundingGuard = 1.0 + 8.0 / 16777216.0;
+
+// On a plane 1/depth is linear in pixels, so a depth read at a pixel's centre instead of at the sample's own place is off
+// by at most half of |d(1/z)/dx| + |d(1/z)/dy|: exact for planes at any tilt, in units of inverse metres.
+float compute_footprint_bias(vec3 p, vec3 n, vec2 pixel_tangents, float bias) {
+    return bias * 0.5 * dot(abs(n.xy), pixel_tangents) / abs(dot(n, p));
+}
+
+// 1 if the surface hides q from the viewer and lies within the cut distance of p.
+float compute_blocked(vec3 p, vec3 q, float bias, float cut_squared, vec2 half_pixel) {
+    float inverse_depth = 1.0 / -q.z;
+    vec2 uv = project_to_uv(q, inverse_depth, tangents);
+    bool inside = q.z < 0.0;
+    if (param_border == param_border_open) {
+        inside = inside && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
+    } else {
+        uv = clamp(uv, half_pixel, 1.0 - half_pixel);
+    }
+    float surface = textureLod(eye_depth_texture, uv, 0.0).r;
+    vec3 hit = reconstruct_view_position(uv, surface, tangents);
+    vec3 to_hit = hit - p;
+    bool blocked = surface * (inverse_depth * kRoundingGuard + bias) < 1.0;
+    return inside && blocked && dot(to_hit, to_hit) <= cut_squared ? 1.0 : 0.0;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec2 pixel_size = 1.0 / vec2(textureSize(eye_depth_texture, 0));
+    float depth = texelFetch(eye_depth_texture, pixel, 0).r;
+    if (isinf(depth)) {
+        visibility = 1.0;
+        return;
+    }
+    vec3 p = reconstruct_view_position(gl_FragCoord.xy * pixel_size, depth, tangents);
+    vec3 n = normalize(texelFetch(normal_texture, pixel, 0).xyz);
+    vec3 t;
+    vec3 b;
+    compute_tangent_frame(n, t, b);
+    if (param_rotation) {
+        float angle = kTwoPi * compute_pixel_noise(pixel, noise_seed);
+        vec3 turned = cos(angle) * t + sin(angle) * b;
+        b = cos(angle) * b - sin(angle) * t;
+        t = turned;
+    }
+    float bias = compute_footprint_bias(p, n, 2.0 * tangents * pixel_size, param_bias);
+    float cut_squared = param_cut * param_radius * param_cut * param_radius;
+    float sum = 0.0;
+    for (int i = 0; i < param_samples; ++i) {
+        vec4 s = kernel[i];
+        vec3 q = p + param_radius * s.w * (s.x * t + s.y * b + s.z * n);
+        float weight = param_directions == param_directions_uniform ? 2.0 * s.z : 1.0;
+        sum += weight * compute_blocked(p, q, bias, cut_squared, 0.5 * pixel_size);
+    }
+    visibility = clamp(1.0 - sum / float(param_samples), 0.0, 1.0);
+}

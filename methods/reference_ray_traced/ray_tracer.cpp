@@ -1,0 +1,332 @@
+#include "methods/reference_ray_traced/ray_tracer.hpp"
+
+#include "core/base/error.hpp"
+#include "methods/reference_ray_traced/sobol.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include <embree3/rtcore.h>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace alcove {
+namespace {
+
+/// Rays a bundle. All of a bundle start at one point, which is what makes 16 at once worth it.
+constexpr unsigned kBundle = 16;
+
+/// Where rays of a pixel start, and around what.
+struct Receiver {
+    glm::vec3 origin;
+    glm::vec3 normal;
+};
+
+/// One object's triangles as the tree and the shading see them.
+struct TracedObject {
+    std::vector<glm::vec3> positions; ///< relative to the scene's origin
+    std::vector<glm::vec3> normals;
+    const std::vector<std::uint32_t>* indices = nullptr;
+};
+
+struct DeviceDeleter {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+};
+struct SceneDeleter {
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using DeviceHandle = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, SceneDeleter>;
+
+/// An orthonormal frame (Duff et al. Building an orthonormal basis, revisited. 2017).
+glm::mat3 make_frame(const glm::vec3& n) {
+    const float s = std::copysign(1.0f, n.z);
+    const float a = -1.0f / (s + n.z);
+    const float b = n.x * n.y * a;
+    return {glm::vec3(1.0f + s * n.x * n.x * a, s * b, -s * n.x),
+            glm::vec3(b, s + n.y * n.y * a, -n.y), n};
+}
+
+glm::vec3 make_direction(const glm::vec2& u, Weighting weighting) {
+    const float azimuth = 2.0f * std::numbers::pi_v<float> * u.y;
+    // Density cos / pi needs z = sqrt(1 - u), uniform density z = 1 - u; neither reaches the horizon's z = 0.
+    const float z = weighting == Weighting::cosine ? std::sqrt(1.0f - u.x) : 1.0f - u.x;
+    const float horizontal = std::sqrt(std::max(0.0f, 1.0f - z * z));
+    return {horizontal * std::cos(azimuth), horizontal * std::sin(azimuth), z};
+}
+
+float compute_weight(Falloff falloff, float relative_distance) {
+    switch (falloff) {
+    case Falloff::none:
+        return 1.0f;
+    case Falloff::linear:
+        return 1.0f - relative_distance;
+    case Falloff::quadratic:
+        break;
+    }
+    return 1.0f - relative_distance * relative_distance;
+}
+
+TracedObject place_object(const PosedObject& object) {
+    TracedObject traced;
+    const glm::mat4 matrix = object.origin_from_object;
+    const glm::mat3 normal_matrix = glm::transpose(glm::inverse(glm::mat3(matrix)));
+    traced.indices = &object.mesh->indices;
+    for (std::size_t i = 0; i < object.mesh->positions.size(); ++i) {
+        traced.positions.emplace_back(matrix * glm::vec4(object.mesh->positions[i], 1.0f));
+        traced.normals.push_back(glm::normalize(normal_matrix * object.mesh->normals[i]));
+    }
+    return traced;
+}
+
+/// Moves the point off the planes that the vertex normals span, so that shading normals do not start rays below facets
+/// that are only facets. This work is based on: Hanika. Hacking the shadow terminator. Ray Tracing Gems II. 2021.
+glm::vec3 lift_off_terminator(const glm::vec3& point, const std::array<glm::vec3, 3>& corners,
+                              const std::array<glm::vec3, 3>& normals,
+                              const std::array<float, 3>& barycentric) {
+    glm::vec3 lifted = point;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const float below = std::min(0.0f, glm::dot(point - corners[i], normals[i]));
+        lifted -= barycentric[i] * below * normals[i];
+    }
+    return lifted;
+}
+
+} // namespace
+
+struct RayTracer::State {
+    DeviceHandle device;
+    SceneHandle scene;
+    std::vector<TracedObject> objects;
+    const Scene* built_for = nullptr;
+    bool built_static = false;
+    glm::dvec3 origin{0.0};
+
+    [[nodiscard]] bool find_receiver(const glm::vec3& eye, const glm::vec3& direction,
+                                     const Camera& camera, const TraceSettings& settings,
+                                     Receiver& receiver) const;
+    [[nodiscard]] float trace_half(const Receiver& receiver, std::uint32_t seed,
+                                   const TraceSettings& settings) const;
+};
+
+bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& direction,
+                                     const Camera& camera, const TraceSettings& settings,
+                                     Receiver& receiver) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    RTCRayHit query{};
+    query.ray.org_x = eye.x;
+    query.ray.org_y = eye.y;
+    query.ray.org_z = eye.z;
+    query.ray.dir_x = direction.x;
+    query.ray.dir_y = direction.y;
+    query.ray.dir_z = direction.z;
+    // The direction has unit length along the view axis: ray distances are eye depths.
+    query.ray.tnear = static_cast<float>(camera.near_m);
+    query.ray.tfar = static_cast<float>(camera.far_m);
+    query.ray.mask = 0xffffffffu;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene.get(), &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
+        return false;
+    }
+    const TracedObject& object = objects[query.hit.geomID];
+    const std::size_t first = std::size_t{3} * query.hit.primID;
+    const std::array<float, 3> barycentric{1.0f - query.hit.u - query.hit.v, query.hit.u,
+                                           query.hit.v};
+    std::array<glm::vec3, 3> corners{};
+    std::array<glm::vec3, 3> normals{};
+    glm::vec3 point(0.0f);
+    glm::vec3 shading(0.0f);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t vertex = (*object.indices)[first + i];
+        corners[i] = object.positions[vertex];
+        normals[i] = object.normals[vertex];
+        point += barycentric[i] * corners[i];
+        shading += barycentric[i] * normals[i];
+    }
+    glm::vec3 geometric =
+        glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    // Counter-clockwise is the front, as for the rasteriser: seen from behind, both normals turn over.
+    const float side = glm::dot(geometric, direction) > 0.0f ? -1.0f : 1.0f;
+    geometric *= side;
+    const bool uses_shading = settings.target.normals == Normals::shading;
+    receiver.normal = uses_shading ? side * glm::normalize(shading) : geometric;
+    if (uses_shading && settings.terminator_safe) {
+        for (glm::vec3& normal : normals) {
+            normal *= side;
+        }
+        point = lift_off_terminator(point, corners, normals, barycentric);
+    }
+    // 32 units in the last place of the largest number that took part in placing the point.
+    const float magnitude =
+        std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), query.ray.tfar});
+    receiver.origin = point + geometric * (magnitude * 0x1p-18f);
+    return true;
+}
+
+float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
+                                   const TraceSettings& settings) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+    const glm::mat3 frame = make_frame(receiver.normal);
+    const auto radius = static_cast<float>(settings.target.radius_m);
+    const auto rays = static_cast<unsigned>(settings.rays_per_half);
+    const bool needs_distance = settings.target.falloff != Falloff::none;
+    float blocked = 0.0f;
+    for (unsigned first = 0; first < rays; first += kBundle) {
+        alignas(64) RTCRayHit16 bundle;
+        alignas(64) std::array<int, kBundle> valid;
+        for (unsigned lane = 0; lane < kBundle; ++lane) {
+            const unsigned index = first + lane;
+            valid[lane] = index < rays ? -1 : 0;
+            const glm::vec2 u = compute_scrambled_sobol(index, seed);
+            const glm::vec3 d = frame * make_direction(u, settings.target.weighting);
+            bundle.ray.org_x[lane] = receiver.origin.x;
+            bundle.ray.org_y[lane] = receiver.origin.y;
+            bundle.ray.org_z[lane] = receiver.origin.z;
+            bundle.ray.dir_x[lane] = d.x;
+            bundle.ray.dir_y[lane] = d.y;
+            bundle.ray.dir_z[lane] = d.z;
+            bundle.ray.tnear[lane] = 0.0f;
+            bundle.ray.tfar[lane] = radius;
+            bundle.ray.time[lane] = 0.0f;
+            bundle.ray.mask[lane] = 0xffffffffu;
+            bundle.ray.id[lane] = lane;
+            bundle.ray.flags[lane] = 0;
+            bundle.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+            bundle.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+        }
+        if (needs_distance) {
+            rtcIntersect16(valid.data(), scene.get(), &context, &bundle);
+        } else {
+            rtcOccluded16(valid.data(), scene.get(), &context, &bundle.ray);
+        }
+        for (unsigned lane = 0; lane < kBundle; ++lane) {
+            const bool hit = needs_distance ? bundle.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID
+                                            : bundle.ray.tfar[lane] < 0.0f;
+            if (valid[lane] != 0 && hit) {
+                blocked += compute_weight(settings.target.falloff, bundle.ray.tfar[lane] / radius);
+            }
+        }
+    }
+    return 1.0f - blocked / static_cast<float>(rays);
+}
+
+RayTracer::RayTracer() : m_state(std::make_unique<State>()) {
+    m_state->device = DeviceHandle(rtcNewDevice(nullptr));
+    if (!m_state->device) {
+        throw FailureError("Embree", "no device", std::to_string(rtcGetDeviceError(nullptr)));
+    }
+}
+
+RayTracer::~RayTracer() = default;
+
+void RayTracer::update(const PosedGeometry& geometry) {
+    State& state = *m_state;
+    if (state.scene && geometry.is_static && state.built_static &&
+        state.built_for == geometry.scene && state.origin == geometry.origin) {
+        return;
+    }
+    state.scene = SceneHandle(rtcNewScene(state.device.get()));
+    rtcSetSceneFlags(state.scene.get(), RTC_SCENE_FLAG_ROBUST);
+    state.objects.clear();
+    state.objects.reserve(geometry.objects.size());
+    for (const PosedObject& object : geometry.objects) {
+        TracedObject& traced = state.objects.emplace_back(place_object(object));
+        const RTCGeometry mesh = rtcNewGeometry(state.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+        auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
+            traced.positions.size()));
+        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+            traced.indices->size() / 3));
+        if (positions == nullptr || indices == nullptr) {
+            rtcReleaseGeometry(mesh);
+            throw FailureError("Embree", "out of memory for the scene's triangles");
+        }
+        std::copy(traced.positions.begin(), traced.positions.end(), positions);
+        std::copy(traced.indices->begin(), traced.indices->end(), indices);
+        rtcCommitGeometry(mesh);
+        rtcAttachGeometryByID(state.scene.get(), mesh,
+                              static_cast<unsigned>(state.objects.size() - 1));
+        rtcReleaseGeometry(mesh);
+    }
+    rtcCommitScene(state.scene.get());
+    const RTCError error = rtcGetDeviceError(state.device.get());
+    if (error != RTC_ERROR_NONE) {
+        throw FailureError("Embree", "the tree cannot be built", std::to_string(error));
+    }
+    state.built_for = geometry.scene;
+    state.built_static = geometry.is_static;
+    state.origin = geometry.origin;
+}
+
+ReferencePair RayTracer::trace(const Camera& camera, ImageSize size,
+                               const TraceSettings& settings) const {
+    const State& state = *m_state;
+    ALCOVE_ASSERT(state.scene != nullptr, "update before trace");
+    ALCOVE_ASSERT(settings.rays_per_half >= 1 && settings.target.radius_m > 0.0, "trace settings");
+    ReferencePair pair{Image(size, 1, 1.0f), Image(size, 1, 1.0f), 0};
+    const glm::vec3 eye(camera.position - state.origin);
+    std::atomic<int> next_row{0};
+    std::atomic<std::uint64_t> receivers{0};
+    const auto work = [&] {
+        std::uint64_t found = 0;
+        for (int y = next_row++; y < size.height; y = next_row++) {
+            for (int x = 0; x < size.width; ++x) {
+                const glm::vec3 direction(
+                    compute_pixel_direction(camera, size, {x + 0.5, y + 0.5}));
+                Receiver receiver{};
+                if (!state.find_receiver(eye, direction, camera, settings, receiver)) {
+                    continue;
+                }
+                const auto pixel = static_cast<std::uint32_t>(y * size.width + x);
+                const std::uint32_t seed = hash_words(settings.seed, pixel);
+                pair.a.at(x, y) = state.trace_half(receiver, hash_words(seed, 0xau), settings);
+                pair.b.at(x, y) = state.trace_half(receiver, hash_words(seed, 0xbu), settings);
+                ++found;
+            }
+        }
+        receivers += found;
+    };
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const unsigned count =
+        settings.threads > 0 ? static_cast<unsigned>(settings.threads) : cores;
+    std::vector<std::jthread> threads;
+    for (unsigned i = 1; i < count; ++i) {
+        threads.emplace_back(work);
+    }
+    work();
+    threads.clear();
+    pair.ray_count = receivers * 2 * static_cast<std::uint64_t>(settings.rays_per_half);
+    return pair;
+}
+
+Image compute_mean(const ReferencePair& pair) {
+    Image mean = pair.a;
+    const std::span<const float> b = pair.b.values();
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        mean.values()[i] = 0.5f * (mean.values()[i] + b[i]);
+    }
+    return mean;
+}
+
+double compute_noise(const ReferencePair& pair) {
+    double sum = 0.0;
+    const std::span<const float> a = pair.a.values();
+    const std::span<const float> b = pair.b.values();
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const double difference = static_cast<double>(a[i]) - static_cast<double>(b[i]);
+        sum += difference * difference;
+    }
+    return 0.5 * std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+} // namespace alcove

@@ -1,0 +1,62 @@
+#include "methods/reference_ray_traced/sobol.hpp"
+
+namespace alcove {
+namespace {
+
+std::uint32_t reverse_bits(std::uint32_t x) {
+    x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
+    x = ((x >> 2) & 0x33333333u) | ((x & 0x33333333u) << 2);
+    x = ((x >> 4) & 0x0f0f0f0fu) | ((x & 0x0f0f0f0fu) << 4);
+    x = ((x >> 8) & 0x00ff00ffu) | ((x & 0x00ff00ffu) << 8);
+    return (x >> 16) | (x << 16);
+}
+
+/// Each bit is flipped depending on the bits below it only: an Owen scramble of the reversed word.
+/// Constants from Burley 2020 (his improved set).
+std::uint32_t permute(std::uint32_t x, std::uint32_t seed) {
+    x ^= x * 0x3d20adeau;
+    x += seed;
+    x *= (seed >> 16) | 1u;
+    x ^= x * 0x05526c56u;
+    x ^= x * 0x53a22864u;
+    return x;
+}
+
+std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
+    return reverse_bits(permute(reverse_bits(x), seed));
+}
+
+/// Second Sobol dimension: direction numbers of the polynomial x + 1, v_{k+1} = v_k ^ (v_k >> 1).
+std::uint32_t compute_second_dimension(std::uint32_t index) {
+    std::uint32_t result = 0;
+    for (std::uint32_t direction = 0x80000000u; index != 0; index >>= 1) {
+        if ((index & 1u) != 0) {
+            result ^= direction;
+        }
+        direction ^= direction >> 1;
+    }
+    return result;
+}
+
+float to_unit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
+
+} // namespace
+
+std::uint32_t hash_words(std::uint32_t a, std::uint32_t b) {
+    // Finaliser of MurmurHash3 (Appleby, public domain) over a mix of both words.
+    std::uint32_t h = a * 0x9e3779b9u ^ (b + 0x7f4a7c15u + (a << 6) + (a >> 2));
+    h ^= h >> 16;
+    h *= 0x85ebca6bu;
+    h ^= h >> 13;
+    h *= 0xc2b2ae35u;
+    return h ^ (h >> 16);
+}
+
+glm::vec2 compute_scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
+    const std::uint32_t first = reverse_bits(index);
+    const std::uint32_t second = compute_second_dimension(index);
+    return {to_unit(scramble(first, hash_words(seed, 0u))),
+            to_unit(scramble(second, hash_words(seed, 1u)))};
+}
+
+} // namespace alcove
