@@ -1,0 +1,54 @@
+#include "metrics/mse/mse.hpp"
+
+#include "metrics/common/squared_error.hpp"
+#include "metrics/common/test_images.hpp"
+
+#include <limits>
+
+namespace alcove {
+namespace {
+
+class Mse final : public Metric {
+  public:
+    MetricResult evaluate(const MetricInput& input) const override {
+        check_metric_input(input, "mse");
+        const SquaredError error = compute_squared_error(input);
+        MetricResult result;
+        result.value = error.mean;
+        result.debiased = error.debiased;
+        result.floor = error.noise;
+        result.map = make_squared_error_map(input);
+        return result;
+    }
+};
+
+} // namespace
+
+MetricUnit mse_unit() {
+    MetricUnit unit;
+    unit.name = "mse";
+    unit.title = "Mean squared error";
+    unit.unit = "value^2";
+    unit.definition =
+        "Mean over all pixels and channels of (test - reference)^2, on linear visibility or linear radiance, summed in "
+        "double, peak 1. With two halves A, B of the reference: debiased = mean (t - A)(t - B), floor = mean (A - B)^2 / 4.";
+    unit.blind_to = "where errors lie and whether they are seen: a faint veil weighs as much as a wrong edge.";
+    unit.maximum = std::numeric_limits<double>::infinity();
+    unit.best = 0.0;
+    unit.parameters = describe_parameters("mse", {});
+    const double codes = 255.0 * 255.0;
+    unit.checks = {
+        {"ramp against noise", make_noisy_ramp, make_ramp, 24.004959 / codes, 1e-6 / codes,
+         "published check vector: 24.004959 in codes squared"},
+        {"ramp against ramp + 10",
+         [] { return make_changed_ramp([](int code, int, int) { return code + 10; }); }, make_ramp,
+         99.838028 / codes, 2e-6 / codes, "published check vector: 99.838028 in codes squared"},
+        {"ramp against half contrast",
+         [] { return make_changed_ramp([](int code, int, int) { return 64 + code / 2; }); },
+         make_ramp, 682.75 / codes, 2e-5 / codes, "published check vector: 682.75 in codes squared"},
+    };
+    unit.create = [](const ResolvedParameters&) { return std::make_unique<Mse>(); };
+    return unit;
+}
+
+} // namespace alcove
