@@ -1,0 +1,127 @@
+#include "reports/html/page_data.hpp"
+
+#include "reports/analysis/wording.hpp"
+#include "reports/html/escape.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace alcove {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json make_optional(const std::optional<double>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json make_ratio(const CellAnalysis& cell) {
+    if (!cell.cell.has_passes) {
+        return {{"value", 0.0}, {"lower", 0.0}, {"upper", 0.0}, {"text", "0 by definition"}};
+    }
+    if (!cell.ratio) {
+        return {};
+    }
+    const Interval ends =
+        cell.ratio->interval.value_or(Interval{cell.ratio->minimum, cell.ratio->maximum});
+    return {{"value", cell.ratio->value},
+            {"lower", ends.lower},
+            {"upper", ends.upper},
+            {"text", describe_estimate(*cell.ratio)}};
+}
+
+Json make_error(const MetricAnalysis* error) {
+    if (error == nullptr) {
+        return {};
+    }
+    return {{"value", error->is_below_floor ? *error->floor : error->shown()},
+            {"text", format_error(*error)},
+            {"floor", make_optional(error->floor)},
+            {"n", error->frames}};
+}
+
+Json make_cell(const RoundAnalysis& round, const CellAnalysis& cell, std::size_t index) {
+    Json errors = Json::object();
+    Json frame_errors = Json::object();
+    for (const std::string& metric : round.metrics) {
+        errors[metric] = {{"cold", make_error(cell.find(SampleState::cold, metric))},
+                          {"converged", make_error(cell.find(SampleState::converged, metric))}};
+        frame_errors[metric] = Json::array();
+    }
+    for (const FrameError& error : cell.frame_errors) {
+        frame_errors[error.metric].push_back(
+            {error.segment, error.frame, make_optional(error.value)});
+    }
+    Json times = Json::array();
+    for (const FrameTime& time : cell.frame_times) {
+        times.push_back(
+            {time.segment, time.frame, time.median_ms, time.minimum_ms, time.maximum_ms});
+    }
+    return {{"id", cell.cell.id},
+            {"label", cell.cell.label},
+            {"color", index},
+            {"isMethod", cell.cell.role == CellRole::method},
+            {"onFront", cell.is_on_front},
+            {"ratio", make_ratio(cell)},
+            {"errors", errors},
+            {"times", times},
+            {"frameErrors", frame_errors}};
+}
+
+Json make_pictures(const RoundAnalysis& round, const PictureFinder& finder) {
+    Json kinds = Json::array();
+    for (const PictureKind& kind : list_picture_kinds()) {
+        kinds.push_back(
+            {{"key", kind.key}, {"title", kind.title}, {"ofReference", kind.is_of_reference}});
+    }
+    Json urls = Json::object();
+    for (const CellAnalysis* cell : list_pictured_cells(round)) {
+        for (const int frame : round.round.image_frames) {
+            for (const PictureKind& kind : list_picture_kinds()) {
+                if (const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind)) {
+                    urls[cell->cell.id][std::to_string(frame)][kind.key] = *url;
+                }
+            }
+        }
+    }
+    return {{"frames", round.round.image_frames}, {"kinds", kinds}, {"urls", urls}};
+}
+
+Json make_round(const RunAnalysis& analysis, const RoundAnalysis& round,
+                const PictureFinder& finder) {
+    Json metrics = Json::array();
+    for (const std::string& name : round.metrics) {
+        const MetricDescription* metric = analysis.find_metric(name);
+        metrics.push_back({{"name", name},
+                           {"title", metric == nullptr ? name : metric->title},
+                           {"lowerIsBetter", metric == nullptr || metric->lower_is_better}});
+    }
+    Json segments = Json::array();
+    for (const SegmentRecord& segment : round.round.segments) {
+        segments.push_back({segment.begin, segment.end});
+    }
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < round.cells.size(); ++i) {
+        cells.push_back(make_cell(round, round.cells[i], i));
+    }
+    return {{"id", round.round.id},
+            {"width", round.round.width},
+            {"height", round.round.height},
+            {"segments", segments},
+            {"metrics", metrics},
+            {"frontMetric", round.front_metric},
+            {"cells", cells},
+            {"pictures", make_pictures(round, finder)}};
+}
+
+} // namespace
+
+std::string make_page_data(const RunAnalysis& analysis, const PictureFinder& finder) {
+    Json rounds = Json::array();
+    for (const RoundAnalysis& round : analysis.rounds) {
+        rounds.push_back(make_round(analysis, round, finder));
+    }
+    const Json data = {{"deviceClass", analysis.context.device_class}, {"rounds", rounds}};
+    return escape_inline_json(data.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+} // namespace alcove

@@ -1,0 +1,91 @@
+#include "reports/html/round_section.hpp"
+
+#include "core/base/text.hpp"
+#include "reports/analysis/wording.hpp"
+#include "reports/html/escape.hpp"
+
+#include <fmt/core.h>
+
+namespace alcove {
+namespace {
+
+std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) {
+    const RoundRecord& record = round.round;
+    std::size_t bursts = 0;
+    std::size_t frames = 0;
+    for (const SegmentRecord& segment : record.segments) {
+        bursts += segment.is_single() ? 0 : 1;
+        frames += static_cast<std::size_t>(segment.end - segment.begin);
+    }
+    return fmt::format(
+        "<dl "
+        "class=\"facts\"><div><dt>Walkthrough</dt><dd>{}</dd></div><div><dt>Size</"
+        "dt><dd>{}&times;{}</dd>"
+        "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
+        "bursts, {} singles, "
+        "{} repeats</dd></div><div><dt>Scene</dt><dd>{} triangles, AO radius {} m</dd></div>"
+        "<div><dt>Precision</dt><dd>{}</dd></div></dl>\n",
+        escape_html(record.walkthrough), record.width, record.height, escape_html(record.target),
+        frames, bursts, record.segments.size() - bursts, analysis.plan.repeats,
+        record.scene_triangles, format_rounded(record.ao_radius_m), escape_html(record.precision));
+}
+
+std::string make_charts(const RoundAnalysis& round) {
+    return fmt::format("<div class=\"charts\" data-charts=\"{}\">\n"
+                       "<figure data-chart=\"scatter\"><figcaption>Time against error<small>Left "
+                       "and down is better. Bars: interval "
+                       "or extremes over repeats. Line: the front.</small></figcaption></figure>\n"
+                       "<figure data-chart=\"times\"><figcaption>Frame time<small>Envelope, cold; "
+                       "median over repeats, band "
+                       "min..max. Bursts side by side.</small></figcaption></figure>\n"
+                       "<figure data-chart=\"errors\"><figcaption>Error over frames<small>Cold: "
+                       "history starts empty in every "
+                       "burst.</small></figcaption></figure>\n"
+                       "</div>\n",
+                       round.round.id);
+}
+
+std::string make_cost_note(const RoundAnalysis& round) {
+    const RoundDone& done = round.done;
+    return fmt::format(
+        "<p class=\"note\">This round took {} s: G-buffer {} s, passes {} s, metrics {} s, "
+        "reference {} s{}, "
+        "pictures {} s.</p>\n",
+        format_rounded(done.wall_s), format_rounded(done.gbuffer_s), format_rounded(done.passes_s),
+        format_rounded(done.metrics_s), format_rounded(done.reference_s),
+        done.reference_cached ? " (from the cache)" : "", format_rounded(done.images_s));
+}
+
+std::string find_title(const RunAnalysis& analysis, const std::string& scene) {
+    for (const SceneDescription& description : analysis.plan.scenes) {
+        if (description.name == scene) {
+            return description.title;
+        }
+    }
+    return {};
+}
+
+} // namespace
+
+std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis& round,
+                               const PictureFinder& finder) {
+    const std::string title = find_title(analysis, round.round.scene);
+    std::string text =
+        fmt::format("<section class=\"round\" id=\"round-{}\">\n<h2>{}{}</h2>\n", round.round.id,
+                    escape_html(round.round.scene),
+                    title.empty() ? "" : "<small>" + escape_html(title) + "</small>");
+    text += fmt::format("<p class=\"verdict\">{}</p>\n<p class=\"fitness\">{}. {}.</p>\n",
+                        escape_html(describe_verdict(round)), escape_html(describe_noise(round)),
+                        escape_html(describe_floor(round)));
+    text += make_facts(analysis, round) + make_summary_table(analysis, round) + make_charts(round);
+    if (!round.round.image_frames.empty()) {
+        text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",
+                            round.round.id);
+        text +=
+            "<p class=\"note\">Error map: red is too dark, blue too bright, white is exact.</p>\n";
+        text += make_picture_sheet(round, finder);
+    }
+    return text + make_detail_tables(analysis, round) + make_cost_note(round) + "</section>\n";
+}
+
+} // namespace alcove

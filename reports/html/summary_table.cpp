@@ -1,0 +1,170 @@
+#include "reports/analysis/wording.hpp"
+#include "reports/html/escape.hpp"
+#include "reports/html/round_section.hpp"
+
+#include "core/base/text.hpp"
+
+#include <functional>
+
+#include <fmt/core.h>
+
+namespace alcove {
+namespace {
+
+/// The best value of one column among the methods, by which its cells are marked.
+class Best {
+  public:
+    Best(const RoundAnalysis& round, bool lower_is_better,
+         const std::function<std::optional<double>(const CellAnalysis&)>& get)
+        : m_get(get) {
+        for (const CellAnalysis& cell : round.cells) {
+            const std::optional<double> value = get(cell);
+            if (cell.cell.role == CellRole::method && value &&
+                (!m_best || (lower_is_better ? *value < *m_best : *value > *m_best))) {
+                m_best = value;
+            }
+        }
+    }
+    [[nodiscard]] const char* mark(const CellAnalysis& cell) const {
+        return cell.cell.role == CellRole::method && m_best && m_get(cell) == m_best ? "best" : "";
+    }
+
+  private:
+    std::function<std::optional<double>(const CellAnalysis&)> m_get;
+    std::optional<double> m_best;
+};
+
+std::optional<double> get_value(const std::optional<Estimate>& estimate) {
+    return estimate ? std::optional<double>(estimate->value) : std::nullopt;
+}
+
+std::string make_error_cell(const CellAnalysis& cell, SampleState state, const std::string& metric,
+                            const char* mark) {
+    const MetricAnalysis* error = cell.find(state, metric);
+    if (error == nullptr) {
+        return "<td class=\"absent\">&ndash;</td>";
+    }
+    const std::string floor =
+        error->floor ? fmt::format("floor {}, ", format_rounded(*error->floor)) : "";
+    return fmt::format(
+        "<td class=\"{}\" data-value=\"{}\"><b>{}</b><small>{}{}..{} (n={} frames)</small></td>",
+        mark, format_number(error->shown()), escape_html(format_error(*error)), floor,
+        format_rounded(error->minimum), format_rounded(error->maximum), error->frames);
+}
+
+/// The two error columns of a metric with their best values.
+struct MetricColumns {
+    std::string name;
+    Best cold;
+    Best converged;
+};
+
+std::vector<MetricColumns> make_metric_columns(const RunAnalysis& analysis,
+                                               const RoundAnalysis& round) {
+    std::vector<MetricColumns> columns;
+    for (const std::string& name : round.metrics) {
+        const MetricDescription* metric = analysis.find_metric(name);
+        const bool lower = metric == nullptr || metric->lower_is_better;
+        // What is under the floor is equally good.
+        const auto getter = [name](SampleState state) {
+            return [name, state](const CellAnalysis& cell) -> std::optional<double> {
+                const MetricAnalysis* error = cell.find(state, name);
+                if (error == nullptr) {
+                    return std::nullopt;
+                }
+                return error->is_below_floor ? *error->floor : error->shown();
+            };
+        };
+        columns.push_back({name, Best(round, lower, getter(SampleState::cold)),
+                           Best(round, lower, getter(SampleState::converged))});
+    }
+    return columns;
+}
+
+std::string make_head(const RunAnalysis& analysis, const std::vector<MetricColumns>& metrics) {
+    const std::string device = escape_html(analysis.context.device_class);
+    const auto time = [&](const char* title, const char* help) {
+        return fmt::format(
+            "<th rowspan=\"2\" data-sort title=\"{}\">{}<small>ms <em>{}</em></small></th>", help,
+            title, device);
+    };
+    std::string text =
+        "<thead><tr><th rowspan=\"2\" class=\"name\">Method</th>"
+        "<th rowspan=\"2\" data-sort title=\"Envelope over the anchor's on the same frames\">"
+        "Time<small>&times; anchor</small></th>";
+    text += time("AO", "Its own passes as one piece, cold");
+    text += time("AO converged", "The same after warming up; equal where there is no history");
+    text += time("Input", "What it asks of the G-buffer beyond the base");
+    text += time("Frame", "Base G-buffer, input, AO and composition");
+    std::string second;
+    for (const MetricColumns& metric : metrics) {
+        const MetricDescription* description = analysis.find_metric(metric.name);
+        const bool lower = description == nullptr || description->lower_is_better;
+        text += fmt::format("<th colspan=\"2\" class=\"group\">{}<small>{} is better</small></th>",
+                            escape_html(metric.name), lower ? "lower" : "higher");
+        second += "<th data-sort class=\"first\">cold</th><th data-sort>converged</th>";
+    }
+    return text + "</tr><tr>" + second + "</tr></thead>\n";
+}
+
+} // namespace
+
+std::string make_estimate_cell(const std::optional<Estimate>& estimate, const char* mark) {
+    if (!estimate) {
+        return "<td class=\"absent\">&ndash;</td>";
+    }
+    const EstimateText text = format_estimate(*estimate);
+    return fmt::format("<td class=\"{}\" data-value=\"{}\"><b>{}</b><small>{}</small></td>", mark,
+                       format_number(estimate->value), text.value, text.spread);
+}
+
+std::string make_label(const CellAnalysis& cell, std::size_t index) {
+    return fmt::format("<span class=\"swatch series-{}\"></span><span class=\"label\">{}</span>",
+                       cell.cell.role == CellRole::method ? std::to_string(index) : "anchor",
+                       escape_html(cell.cell.label));
+}
+
+std::string make_summary_table(const RunAnalysis& analysis, const RoundAnalysis& round) {
+    const Best ratio(round, true, [](const CellAnalysis& c) { return get_value(c.ratio); });
+    const Best time(round, true, [](const CellAnalysis& c) { return get_value(c.time_ms); });
+    const Best converged(round, true,
+                         [](const CellAnalysis& c) { return get_value(c.converged_time_ms); });
+    const Best total(round, true, [](const CellAnalysis& c) {
+        return c.cell.has_passes ? get_value(c.total_ms) : std::nullopt;
+    });
+    const std::vector<MetricColumns> metrics = make_metric_columns(analysis, round);
+    std::string text = "<div class=\"scroll\"><table class=\"summary\" data-sortable>\n" +
+                       make_head(analysis, metrics) + "<tbody>\n";
+    for (std::size_t i = 0; i < round.cells.size(); ++i) {
+        const CellAnalysis& cell = round.cells[i];
+        const bool is_method = cell.cell.role == CellRole::method;
+        text +=
+            fmt::format("<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}{}</th>",
+                        is_method ? "method" : "anchor", make_label(cell, i),
+                        cell.is_on_front ? "<span class=\"front\" title=\"No other method is both "
+                                           "faster and more accurate\">front</span>"
+                                         : "");
+        if (!cell.cell.has_passes) {
+            constexpr const char* kZero =
+                "<td data-value=\"0\"><b>0</b><small>no passes</small></td>";
+            text += "<td class=\"absent\">&ndash;</td>" + std::string(kZero) + kZero;
+        } else {
+            text += cell.cell.role == CellRole::anchor
+                        ? std::string("<td data-value=\"1\"><b>1</b><small>the unit</small></td>")
+                        : make_estimate_cell(cell.ratio, ratio.mark(cell));
+            text += make_estimate_cell(cell.time_ms, time.mark(cell));
+            text += make_estimate_cell(cell.converged_time_ms, converged.mark(cell));
+        }
+        text += make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "");
+        text += make_estimate_cell(cell.total_ms, total.mark(cell));
+        for (const MetricColumns& metric : metrics) {
+            text += make_error_cell(cell, SampleState::cold, metric.name, metric.cold.mark(cell));
+            text += make_error_cell(cell, SampleState::converged, metric.name,
+                                    metric.converged.mark(cell));
+        }
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>\n";
+}
+
+} // namespace alcove

@@ -1,0 +1,41 @@
+// The shape of the JSON inside the page (reports/html/page_data.cpp writes it).
+
+export interface Ratio { value: number; lower: number; upper: number; text: string }
+export interface CellError { value: number; text: string; floor: number | null; n: number }
+export interface Cell {
+  id: string;
+  label: string;
+  color: number;
+  isMethod: boolean;
+  onFront: boolean;
+  ratio: Ratio | null;
+  errors: Record<string, { cold: CellError | null; converged: CellError | null }>;
+  /** segment, frame, median, min, max in milliseconds */
+  times: [number, number, number, number, number][];
+  /** segment, frame, value */
+  frameErrors: Record<string, [number, number, number | null][]>;
+}
+export interface Metric { name: string; title: string; lowerIsBetter: boolean }
+export interface PictureKind { key: string; title: string; ofReference: boolean }
+export interface Pictures {
+  frames: number[];
+  kinds: PictureKind[];
+  /** cell, frame, kind; absent where a picture was not kept */
+  urls: Record<string, Record<string, Record<string, string>>>;
+}
+export interface Round {
+  id: string;
+  width: number;
+  height: number;
+  segments: [number, number][];
+  metrics: Metric[];
+  frontMetric: string;
+  cells: Cell[];
+  pictures: Pictures;
+}
+export interface PageData { deviceClass: string; rounds: Round[] }
+
+export function readPageData(): PageData | null {
+  const element = document.getElementById("data");
+  return element === null ? null : (JSON.parse(element.textContent ?? "") as PageData);
+}

@@ -1,0 +1,113 @@
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "reports/html/escape.hpp"
+#include "reports/html/html_report.hpp"
+#include "reports/html/page_data.hpp"
+#include "tests/reports/synthetic_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace alcove {
+namespace {
+
+using synthetic::TemporaryFolder;
+
+/// How often `part` stands in `text`.
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
+std::string write_page(const RunFolder& run, const HtmlOptions& options = {}) {
+    write_html_report(run, options);
+    return read_file((options.out.empty() ? run.path() / "report" : options.out) / "index.html");
+}
+
+TEST(Escape, TextCannotBecomeMarkup) {
+    EXPECT_EQ(escape_html("<script>a && 'b' \"c\"</script>"),
+              "&lt;script&gt;a &amp;&amp; &#39;b&#39; &quot;c&quot;&lt;/script&gt;");
+    EXPECT_EQ(escape_html(std::string("a\0b\x1b[2Jc\nd", 10)), "a b [2Jc\nd");
+}
+
+TEST(Escape, InlineJsonCannotEndItsElement) {
+    EXPECT_EQ(escape_inline_json("{\"a\":\"</script><!--&\"}"),
+              "{\"a\":\"\\u003c/script\\u003e\\u003c!--\\u0026\"}");
+    EXPECT_EQ(escape_inline_json("\xe2\x80\xa8\xe2\x80\xa9\xe2\x82\xac"),
+              "\\u2028\\u2029\xe2\x82\xac");
+}
+
+TEST(Escape, PathsAreEncodedForUrls) {
+    EXPECT_EQ(escape_url_path("../a b/c#d?e%f\".png"), "../a%20b/c%23d%3Fe%25f%22.png");
+}
+
+TEST(HtmlReport, SaysEverythingWithoutTheScript) {
+    const TemporaryFolder folder;
+    std::string page = write_page(synthetic::write_run(folder.path(), {}));
+    page = page.substr(0, page.find("<script")); // the tables stand before
+    for (const char* part :
+         {"complete: 2 rounds", "hemisphere_ssao:samples=64", "software", "llvmpipe",
+          "timestamp_finish", "[2.4902, 2.5098] (n=6)", "&lt; 0.00400",
+          "Not beaten in both time and error", "under 50.0 ticks", "input/motion", "time_elapsed",
+          "refused", "its mesh is not here", "CC0-1.0",
+          "Blind to:", "linear falloff is approximated", "command line", "A/A 1.0000",
+          "reference floor 0.00400 rmse"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    EXPECT_EQ(count(page, "not kept"), 2u * 3u * 4u * 5u); // no picture was written
+    EXPECT_EQ(page.find("in progress"), std::string::npos);
+}
+
+TEST(HtmlReport, HasNoAddressOfANetwork) {
+    const TemporaryFolder folder;
+    const std::string page = write_page(synthetic::write_run(folder.path(), {.images = true}));
+    EXPECT_EQ(count(page, "src=\"http") + count(page, "href=\"http") + count(page, "@import"), 0u);
+    EXPECT_EQ(count(page, "fetch("), 0u);
+}
+
+TEST(HtmlReport, HostileTextsStayTexts) {
+    const TemporaryFolder folder;
+    const std::string page =
+        write_page(synthetic::write_run(folder.path(), {.hostile = true}),
+                   {.in_progress = true,
+                    .provisional = {{"r1-courtyard", "tssao", "</td><script>", 1.0}},
+                    .out = {}});
+    EXPECT_EQ(count(page, "<img src=x"), 0u);
+    EXPECT_EQ(count(page, "<script>document"), 0u);
+    EXPECT_EQ(count(page, "</script>"), count(page, "<script"));
+    EXPECT_GT(count(page, "&lt;img src=x"), 20u);
+}
+
+TEST(HtmlReport, InProgressAndProvisionalAreMarked) {
+    const TemporaryFolder folder;
+    const RunFolder run = synthetic::write_run(folder.path(), {.finished_rounds = 1});
+    const HtmlOptions options{
+        .in_progress = true, .provisional = {{"r1-courtyard", "tssao", "tssao", 12.5}}, .out = {}};
+    const std::string page = write_page(run, options);
+    EXPECT_NE(page.find("in progress: 1 of 2 rounds"), std::string::npos);
+    EXPECT_NE(page.find("provisional</span>"), std::string::npos);
+    EXPECT_NE(page.find("12.5<small>(n=1)"), std::string::npos);
+    EXPECT_NE(write_page(run).find("incomplete: 1 of 2 rounds"), std::string::npos);
+}
+
+TEST(HtmlReport, AnEmptyRunHasAPage) {
+    const TemporaryFolder folder;
+    const std::string page =
+        write_page(synthetic::write_run(folder.path(), {.finished_rounds = 0}));
+    EXPECT_NE(page.find("waiting"), std::string::npos);
+}
+
+TEST(HtmlReport, PicturesAreRelativeToThePage) {
+    const TemporaryFolder folder;
+    const RunFolder run = synthetic::write_run(folder.path() / "run 1", {.images = true});
+    EXPECT_GT(count(write_page(run), "src=\"../images/r0-balls/tssao/0006_error.png\""), 0u);
+    const std::string elsewhere =
+        write_page(run, {.in_progress = false, .provisional = {}, .out = folder.path() / "pages"});
+    EXPECT_GT(count(elsewhere, "src=\"../run%201/images/r0-balls/tssao/0006_error.png\""), 0u);
+    EXPECT_EQ(count(elsewhere, "<td class=\"absent\">not kept"), 3u * 3u); // tssao's own three kinds in the second round
+}
+
+} // namespace
+} // namespace alcove
