@@ -132,9 +132,9 @@ std::string make_chart_notice() {
         return "<p class=\"notice\">charts are not built in: run <code>npm ci</code> and build "
                "again</p>\n";
     }
-    return "<noscript><p class=\"notice\">Charts and the picture viewer need JavaScript. Every "
-           "number they draw stands "
-           "in the tables or in <code>samples.csv</code>.</p></noscript>\n";
+    return "<p class=\"notice plain\">Charts and the picture viewer need JavaScript. Every number "
+           "they draw stands in "
+           "the tables or in <code>samples.csv</code>.</p>\n";
 }
 
 std::string make_footer(const PictureFinder& finder) {

@@ -74,7 +74,7 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
         fmt::format("<section class=\"round\" id=\"round-{}\">\n<h2>{}{}</h2>\n", round.round.id,
                     escape_html(round.round.scene),
                     title.empty() ? "" : "<small>" + escape_html(title) + "</small>");
-    text += fmt::format("<p class=\"verdict\">{}</p>\n<p class=\"fitness\">{}. {}.</p>\n",
+    text += fmt::format("<p class=\"verdict\">{}</p>\n<p class=\"fitness\">{}; {}.</p>\n",
                         escape_html(describe_verdict(round)), escape_html(describe_noise(round)),
                         escape_html(describe_floor(round)));
     text += make_facts(analysis, round) + make_summary_table(analysis, round) + make_charts(round);

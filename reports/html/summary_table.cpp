@@ -45,11 +45,11 @@ std::string make_error_cell(const CellAnalysis& cell, SampleState state, const s
         return "<td class=\"absent\">&ndash;</td>";
     }
     const std::string floor =
-        error->floor ? fmt::format("floor {}, ", format_rounded(*error->floor)) : "";
+        error->floor ? fmt::format("<small>floor {}</small>", format_rounded(*error->floor)) : "";
     return fmt::format(
-        "<td class=\"{}\" data-value=\"{}\"><b>{}</b><small>{}{}..{} (n={} frames)</small></td>",
-        mark, format_number(error->shown()), escape_html(format_error(*error)), floor,
-        format_rounded(error->minimum), format_rounded(error->maximum), error->frames);
+        "<td class=\"{}\" data-value=\"{}\"><b>{}</b><small>{}..{} (n={})</small>{}</td>", mark,
+        format_number(error->shown()), escape_html(format_error(*error)),
+        format_rounded(error->minimum), format_rounded(error->maximum), error->frames, floor);
 }
 
 /// The two error columns of a metric with their best values.
@@ -102,7 +102,8 @@ std::string make_head(const RunAnalysis& analysis, const std::vector<MetricColum
         const bool lower = description == nullptr || description->lower_is_better;
         text += fmt::format("<th colspan=\"2\" class=\"group\">{}<small>{} is better</small></th>",
                             escape_html(metric.name), lower ? "lower" : "higher");
-        second += "<th data-sort class=\"first\">cold</th><th data-sort>converged</th>";
+        second += "<th data-sort class=\"first\">cold<small>n frames</small></th>"
+                  "<th data-sort>converged<small>n frames</small></th>";
     }
     return text + "</tr><tr>" + second + "</tr></thead>\n";
 }
@@ -119,7 +120,7 @@ std::string make_estimate_cell(const std::optional<Estimate>& estimate, const ch
 }
 
 std::string make_label(const CellAnalysis& cell, std::size_t index) {
-    return fmt::format("<span class=\"swatch series-{}\"></span><span class=\"label\">{}</span>",
+    return fmt::format("<span class=\"cell-label\"><span class=\"swatch series-{}\"></span><span>{}</span></span>",
                        cell.cell.role == CellRole::method ? std::to_string(index) : "anchor",
                        escape_html(cell.cell.label));
 }

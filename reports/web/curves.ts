@@ -54,7 +54,6 @@ class Legend {
   private readonly frame = make("li", { class: "axis-reading" });
 
   constructor(cells: Cell[], onSwitch: () => void) {
-    this.element.append(this.frame);
     for (const cell of cells) {
       const reading = make("span", { class: "reading" });
       const button = makeButton("", () => {
@@ -70,6 +69,7 @@ class Legend {
       this.readings.set(cell.id, reading);
       this.element.append(make("li", {}, button));
     }
+    this.element.append(this.frame);
   }
 
   read(frame: string, values: Map<string, string>): void {

@@ -18,6 +18,7 @@ function makeCharts(section: HTMLElement, round: Round, deviceClass: string): vo
   }
 }
 
+document.documentElement.classList.add("enhanced");
 const data = readPageData();
 for (const round of data?.rounds ?? []) {
   const section = document.getElementById(`round-${round.id}`);

@@ -142,8 +142,13 @@ function drawPoints(plot: uPlot, points: Point[], metric: Metric, theme: Theme):
     const box = placeLabel(x, y, ctx.measureText(text).width, 15 * scale, area, taken);
     if (box !== null) {
       taken.push(box);
+      const y0 = (box.top + box.bottom) / 2;
+      ctx.strokeStyle = theme.panel; // a halo, where the front or the grid passes behind
+      ctx.lineWidth = 4 * scale;
+      ctx.lineJoin = "round";
+      ctx.strokeText(text, box.left, y0);
       ctx.fillStyle = theme.ink;
-      ctx.fillText(text, box.left, (box.top + box.bottom) / 2);
+      ctx.fillText(text, box.left, y0);
     }
   }
   ctx.restore();

@@ -250,7 +250,10 @@ export class Viewer {
     this.center.x = Math.min(1 - half, Math.max(half, this.center.x));
     this.center.y = Math.min(1 - half, Math.max(half, this.center.y));
     const count = this.mode === "side" ? 2 : 1;
-    const width = (this.root.clientWidth - 2 * (count - 1)) / count;
+    // No taller than the window, so that the buttons and the picture are seen at once.
+    const room = (this.root.clientWidth - 2 * (count - 1)) / count;
+    const width = Math.max(1, Math.min(room, (0.76 * window.innerHeight * this.round.width) / this.round.height));
+    this.panesElement.style.gridAutoColumns = `${width}px`;
     const scale = (width / this.round.width) * this.zoom;
     const height = (width * this.round.height) / this.round.width;
     const left = (half - this.center.x) * this.round.width * scale;

@@ -1,0 +1,219 @@
+// Opens the synthetic reports from file:// and uses them as a reader would.
+// usage: node report_page.test.mjs PATH/alcove_write_synthetic
+
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { withBrowser } from "./browser.mjs";
+
+if (process.argv.length !== 3) {
+  console.error("usage: node report_page.test.mjs PATH/alcove_write_synthetic");
+  process.exit(2);
+}
+
+const width = 1000;
+
+/** A page that collects everything that must not happen. */
+async function openReport(browser, folder, run, options = {}) {
+  const context = await browser.newContext({ viewport: { width, height: 900 }, ...options });
+  const page = await context.newPage();
+  const troubles = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && troubles.push(message.text()));
+  page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => request.url().startsWith("file:") || troubles.push(`request ${request.url()}`));
+  await page.goto(pathToFileURL(join(folder, run, "report", "index.html")).href);
+  return { page, troubles, close: () => context.close() };
+}
+
+/** Pixels that are not transparent, and a sum that changes when the drawing does. */
+function readCanvas(canvas) {
+  return canvas.evaluate((element) => {
+    const { data } = element.getContext("2d").getImageData(0, 0, element.width, element.height);
+    let drawn = 0;
+    let sum = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      drawn += data[i + 3] > 0 ? 1 : 0;
+      sum = (sum * 31 + data[i] + 7 * data[i + 1] + 13 * data[i + 2] + data[i + 3]) % 1000000007;
+    }
+    return { drawn, sum };
+  });
+}
+
+async function checkNoOverflow(page) {
+  const over = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  assert.ok(over <= 0, `the page is ${over} px wider than the window`);
+}
+
+async function waitForImage(image) {
+  await image.evaluate((element) => element.decode());
+  assert.ok(await image.evaluate((element) => element.naturalWidth > 0), "the picture is loaded");
+}
+
+const tests = {
+  async "charts are drawn in light and dark, without errors and without a network"(browser, folder) {
+    for (const colorScheme of ["light", "dark"]) {
+      const { page, troubles, close } = await openReport(browser, folder, "complete", { colorScheme });
+      const canvases = page.locator("canvas");
+      assert.equal(await canvases.count(), 6, "three charts a round");
+      for (let i = 0; i < 6; ++i) {
+        assert.ok((await readCanvas(canvases.nth(i))).drawn > 2000, `chart ${i} has pixels`);
+      }
+      await checkNoOverflow(page);
+      assert.deepEqual(troubles, []);
+      await close();
+    }
+  },
+
+  async "another metric, state or set of curves redraws the charts"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const section = page.locator("#round-r0-balls");
+    const scatter = section.locator('[data-chart="scatter"]');
+    const before = await readCanvas(scatter.locator("canvas"));
+    await scatter.getByLabel("State").selectOption("converged");
+    const converged = await readCanvas(scatter.locator("canvas"));
+    assert.notEqual(converged.sum, before.sum);
+    await scatter.getByLabel("Metric").selectOption("ssim");
+    assert.notEqual((await readCanvas(scatter.locator("canvas"))).sum, converged.sum);
+
+    const times = section.locator('[data-chart="times"]');
+    const all = await readCanvas(times.locator("canvas"));
+    const chip = times.getByRole("button", { name: "tssao" });
+    await chip.click();
+    assert.equal(await chip.getAttribute("aria-pressed"), "false");
+    assert.notEqual((await readCanvas(times.locator("canvas"))).sum, all.sum);
+    await times.locator(".u-over").hover();
+    assert.match(await times.locator(".axis-reading").textContent(), /^frame \d+$/);
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "frame, method and picture switch what is shown"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const viewer = page.locator('[data-viewer="r0-balls"]');
+    const images = viewer.locator(".pane img");
+    const source = () => images.first().getAttribute("src");
+    assert.equal(await source(), "../images/r0-balls/hemisphere_ssao/0006_visibility.png");
+    await waitForImage(images.first());
+    await viewer.getByRole("button", { name: "54" }).click();
+    assert.match(await source(), /hemisphere_ssao\/0054_visibility/);
+    await viewer.getByRole("button", { name: "Error map" }).click();
+    assert.match(await source(), /0054_error/);
+    await viewer.getByLabel("Method", { exact: true }).selectOption("tssao");
+    assert.match(await source(), /tssao\/0054_error/);
+    await viewer.getByRole("button", { name: "Shaded reference" }).click();
+    assert.match(await source(), /reference\/0054_shaded/);
+    await waitForImage(images.first());
+
+    await viewer.focus();
+    await page.keyboard.press("1");
+    await page.keyboard.press("ArrowRight");
+    assert.match(await source(), /tssao\/0090_visibility/);
+    await page.keyboard.press("p");
+    assert.match(await source(), /hemisphere_ssao-samples64\/0090_visibility/);
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "wipe and side by side compare with the reference under one zoom"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const viewer = page.locator('[data-viewer="r0-balls"]');
+    const images = viewer.locator(".pane img");
+    await viewer.getByRole("button", { name: "Wipe" }).click();
+    assert.equal(await images.count(), 2);
+    assert.match(await images.nth(0).getAttribute("src"), /reference\/0006_visibility/);
+    assert.match(await images.nth(1).getAttribute("src"), /hemisphere_ssao\/0006_visibility/);
+    await viewer.getByLabel("Wipe position").fill("20");
+    assert.match(await viewer.locator(".top-image").getAttribute("style"), /inset\(0(px)? 80%/);
+
+    await viewer.getByRole("button", { name: "Side by side" }).click();
+    await viewer.getByLabel("Compared with").selectOption("tssao");
+    assert.equal(await viewer.locator(".pane").count(), 2);
+    const transforms = () => images.evaluateAll((all) => all.map((image) => image.style.transform));
+    const before = await transforms();
+    await viewer.getByRole("button", { name: "+" }).click();
+    const after = await transforms();
+    assert.notEqual(after[0], before[0]);
+    assert.equal(after[0], after[1]);
+    await viewer.getByRole("button", { name: "90" }).click();
+    assert.equal((await transforms())[0], after[0], "the zoom stays when the picture changes");
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "pictures that were not kept are said to be missing"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const viewer = page.locator('[data-viewer="r1-courtyard"]');
+    await viewer.getByLabel("Method", { exact: true }).selectOption("tssao");
+    assert.equal(await viewer.locator(".pane .missing").textContent(), "not kept");
+    await viewer.getByRole("button", { name: "Reference", exact: false }).first().click();
+    await waitForImage(viewer.locator(".pane img").first());
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "a click on a head sorts, the third gives back the order"(browser, folder) {
+    const { page, close } = await openReport(browser, folder, "complete");
+    const table = page.locator("#round-r0-balls table.summary");
+    const names = async () => (await table.locator("tbody th").allTextContents()).map((name) => name.replace("front", ""));
+    const original = await names();
+    const head = table.locator("thead th", { hasText: "Time" });
+    await head.click();
+    assert.deepEqual((await names()).slice(0, 3), ["anchor", "anchor (again)", "hemisphere_ssao"]);
+    await head.click();
+    assert.equal((await names())[0], "hemisphere_ssao:samples=64");
+    assert.equal((await names()).at(-1), "none", "rows without a number stay below");
+    await head.click();
+    assert.deepEqual(await names(), original);
+    // A head of the second row sorts its own column.
+    await table.locator("thead tr").nth(1).locator("th").nth(2).click();
+    assert.equal((await names())[0], "none", "ssim is lowest there");
+    await close();
+  },
+
+  async "hostile texts stay texts, progress and provisional times are marked"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "hostile");
+    assert.notEqual(await page.title(), "owned");
+    assert.equal(await page.locator('img[src="x"]').count(), 0);
+    for (const place of [".verdict", "table.summary", ".legend", "#definitions", "#skipped", ".viewer select"]) {
+      const text = await page.locator(place).first().textContent();
+      assert.ok(text.includes("<img src=x onerror=") && text.includes("</script>"), `${place} shows the text`);
+    }
+    assert.equal(await page.locator(".state").textContent(), "in progress: 1 of 2 rounds");
+    const provisional = page.locator("#unfinished tr", { hasText: "provisional" });
+    assert.match(await provisional.textContent(), /12\.5.*\(n=1\)/);
+    assert.ok(await provisional.isVisible());
+    await checkNoOverflow(page);
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "everything but charts and viewer works without JavaScript"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete", { javaScriptEnabled: false });
+    assert.ok(await page.locator("#round-r0-balls table.summary").isVisible());
+    assert.ok(await page.locator("#round-r0-balls .verdict").isVisible());
+    const sheet = page.locator("#round-r0-balls .sheet").first();
+    assert.ok(await sheet.locator("img").first().isVisible());
+    assert.equal(await sheet.locator("img").count(), 4 * 5);
+    assert.ok(await page.getByText("need JavaScript").isVisible());
+    assert.equal(await page.locator(".charts").first().isVisible(), false);
+    await page.locator("#round-r0-balls summary", { hasText: "Passes" }).click();
+    assert.ok(await page.getByText("tssao/occlusion").first().isVisible());
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+};
+
+await withBrowser(process.argv[2], async (browser, folder) => {
+  let failed = 0;
+  for (const [name, test] of Object.entries(tests)) {
+    try {
+      await test(browser, folder);
+      console.log(`ok: ${name}`);
+    } catch (error) {
+      ++failed;
+      console.log(`FAILED: ${name}\n${error.stack}`);
+    }
+  }
+  console.log(`${Object.keys(tests).length - failed} of ${Object.keys(tests).length} passed`);
+  process.exitCode = failed > 0 ? 1 : 0;
+});
