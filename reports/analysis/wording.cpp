@@ -76,7 +76,7 @@ std::string describe_device(const ContextRecord& context) {
 
 std::string describe_timer(const RunAnalysis& analysis) {
     const ContextRecord& context = analysis.context;
-    return fmt::format("timer {} ({}), tick {} ns", context.timer_mode,
+    return fmt::format("{} ({}), tick {} ns", context.timer_mode,
                        analysis.is_timer_validated
                            ? "validated in this context"
                            : "fenced by glFinish, no timer query was accepted",

@@ -26,7 +26,7 @@ struct EstimateText {
 /// Device class, renderer and threads: "software: llvmpipe (LLVM 15.0.6, 256 bits), 8 threads,
 /// osmesa".
 [[nodiscard]] std::string describe_device(const ContextRecord& context);
-/// Mode, tick and whether it was checked.
+/// "timestamp_finish (validated in this context), tick 100 ns".
 [[nodiscard]] std::string describe_timer(const RunAnalysis& analysis);
 /// "A/A 1.000 [0.999, 1.001] (n=6): effects under 0.2 % cannot be told from noise".
 [[nodiscard]] std::string describe_noise(const RoundAnalysis& round);

@@ -29,10 +29,11 @@ std::string make_table(std::initializer_list<const char*> columns, const std::st
     for (const char* column : columns) {
         head += fmt::format("<th class=\"text\">{}</th>", column);
     }
-    return fmt::format(
-        "<div "
-        "class=\"scroll\"><table><thead><tr>{}</tr></thead><tbody>\n{}</tbody></table></div>\n",
-        head, rows);
+    if (!head.empty()) {
+        head = "<thead><tr>" + head + "</tr></thead>";
+    }
+    return fmt::format("<div class=\"scroll\"><table>{}<tbody>\n{}</tbody></table></div>\n", head,
+                       rows);
 }
 
 std::string make_trial_table(const ContextRecord& context) {
@@ -185,7 +186,7 @@ std::string make_environment_section(const RunAnalysis& analysis) {
     add("Repeats", std::to_string(plan.repeats));
     add("Shuffle seed", std::to_string(plan.shuffle_seed));
     add("Reference", fmt::format("2 halves of {} rays a pixel", plan.reference_rays_per_half));
-    return "<section id=\"environment\"><h2>Environment</h2>\n" + make_table({"", ""}, rows) +
+    return "<section id=\"environment\"><h2>Environment</h2>\n" + make_table({}, rows) +
            make_trial_table(context) + "</section>\n";
 }
 

@@ -85,18 +85,18 @@ std::string make_pass_rows(const CellAnalysis& cell, std::size_t index) {
         const double share = pass.is_input || sum_ms <= 0.0 ? 0.0 : pass.time_ms.value / sum_ms;
         std::string marks;
         if (pass.is_under_resolution) {
-            marks += fmt::format("<span class=\"mark\">under {} ticks</span>",
-                                 format_rounded(kResolvedTicks));
+            marks += fmt::format("<span class=\"mark\">under {:g} ticks</span>", kResolvedTicks);
         }
         if (pass.is_cached) {
             marks += "<span class=\"mark\">cached</span>";
         }
         const std::string bar =
             pass.is_input ? std::string("<span class=\"absent\">input cost</span>")
-                          : fmt::format("<span class=\"bar\"><span class=\"series-{}\" "
+                          : fmt::format("<span class=\"bar\"><span class=\"{}\" "
                                         "style=\"width:{:.1f}%\"></span></span>"
                                         "<small>{:.0f} %</small>",
-                                        index, 100.0 * std::clamp(share, 0.0, 1.0), 100.0 * share);
+                                        get_series_class(cell, index),
+                                        100.0 * std::clamp(share, 0.0, 1.0), 100.0 * share);
         text += fmt::format(
             "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"text\">{} {}</td>{}<td "
             "class=\"share\">{}</td>",

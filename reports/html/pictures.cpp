@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 const std::vector<PictureKind>& list_picture_kinds() {
     static const std::vector<PictureKind> kKinds = {
-        {"method", "Method", false, "visibility"},
+        {"method", "Visibility", false, "visibility"},
         {"reference", "Reference", true, "visibility"},
         {"error", "Error map", false, "error"},
         {"shaded", "Shaded", false, "shaded"},
@@ -58,7 +58,7 @@ std::string make_picture_sheet(const RoundAnalysis& round, const PictureFinder& 
     for (const int frame : round.round.image_frames) {
         text += fmt::format(
             "<details class=\"sheet\"{}><summary>All pictures of frame {}</summary>\n<div "
-            "class=\"scroll\"><table class=\"pictures\"><thead><tr><th>Method</th>",
+            "class=\"scroll\"><table class=\"pictures\"><thead><tr><th class=\"name\">Method</th>",
             frame == round.round.image_frames.front() ? " open" : "", frame);
         for (const PictureKind& kind : list_picture_kinds()) {
             text += fmt::format("<th>{}</th>", kind.title);
@@ -66,7 +66,7 @@ std::string make_picture_sheet(const RoundAnalysis& round, const PictureFinder& 
         text += "</tr></thead><tbody>\n";
         for (const CellAnalysis* cell : list_pictured_cells(round)) {
             const std::string label = escape_html(cell->cell.label);
-            text += fmt::format("<tr><th scope=\"row\">{}</th>", label);
+            text += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", label);
             for (const PictureKind& kind : list_picture_kinds()) {
                 const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind);
                 text +=

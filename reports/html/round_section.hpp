@@ -27,6 +27,9 @@ namespace alcove {
 [[nodiscard]] std::string make_estimate_cell(const std::optional<Estimate>& estimate,
                                              const char* mark = "");
 
+/// Class that gives an element a cell's colour: "series-3", or "series-anchor" for both anchors.
+[[nodiscard]] std::string get_series_class(const CellAnalysis& cell, std::size_t index);
+
 /// A method's name with its colour; `index` is its position in the round.
 [[nodiscard]] std::string make_label(const CellAnalysis& cell, std::size_t index);
 

@@ -108,6 +108,45 @@ std::string make_head(const RunAnalysis& analysis, const std::vector<MetricColum
     return text + "</tr><tr>" + second + "</tr></thead>\n";
 }
 
+/// The columns of a row with the best value of each.
+struct SummaryColumns {
+    Best ratio;
+    Best time;
+    Best converged;
+    Best total;
+    std::vector<MetricColumns> metrics;
+};
+
+std::string make_times(const CellAnalysis& cell, const SummaryColumns& columns) {
+    if (!cell.cell.has_passes) {
+        constexpr const char* kZero = "<td data-value=\"0\"><b>0</b><small>no passes</small></td>";
+        return "<td class=\"absent\">&ndash;</td>" + std::string(kZero) + kZero;
+    }
+    return (cell.cell.role == CellRole::anchor
+                ? std::string("<td data-value=\"1\"><b>1</b><small>the unit</small></td>")
+                : make_estimate_cell(cell.ratio, columns.ratio.mark(cell))) +
+           make_estimate_cell(cell.time_ms, columns.time.mark(cell)) +
+           make_estimate_cell(cell.converged_time_ms, columns.converged.mark(cell));
+}
+
+std::string make_row(const CellAnalysis& cell, std::size_t index, const SummaryColumns& columns) {
+    std::string text = fmt::format(
+        "<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}{}</th>",
+        cell.cell.role == CellRole::method ? "method" : "anchor", make_label(cell, index),
+        cell.is_on_front ? "<span class=\"front\" title=\"No other method is both faster and more "
+                           "accurate\">front</span>"
+                         : "");
+    text += make_times(cell, columns);
+    text += make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "");
+    text += make_estimate_cell(cell.total_ms, columns.total.mark(cell));
+    for (const MetricColumns& metric : columns.metrics) {
+        text += make_error_cell(cell, SampleState::cold, metric.name, metric.cold.mark(cell));
+        text +=
+            make_error_cell(cell, SampleState::converged, metric.name, metric.converged.mark(cell));
+    }
+    return text + "</tr>\n";
+}
+
 } // namespace
 
 std::string make_estimate_cell(const std::optional<Estimate>& estimate, const char* mark) {
@@ -119,53 +158,43 @@ std::string make_estimate_cell(const std::optional<Estimate>& estimate, const ch
                        format_number(estimate->value), text.value, text.spread);
 }
 
+std::string get_series_class(const CellAnalysis& cell, std::size_t index) {
+    return "series-" +
+           (cell.cell.role == CellRole::method ? std::to_string(index) : std::string("anchor"));
+}
+
 std::string make_label(const CellAnalysis& cell, std::size_t index) {
-    return fmt::format("<span class=\"cell-label\"><span class=\"swatch series-{}\"></span><span>{}</span></span>",
-                       cell.cell.role == CellRole::method ? std::to_string(index) : "anchor",
-                       escape_html(cell.cell.label));
+    std::string label;
+    for (const char c : cell.cell.label) {
+        label += escape_html(std::string_view(&c, 1));
+        if (c == ':' || c == ',' || c == '@') {
+            label += "<wbr>"; // labels break between their parts
+        }
+    }
+    return fmt::format(
+        "<span class=\"cell-label\"><span class=\"swatch {}\"></span><span>{}</span></span>",
+        get_series_class(cell, index), label);
 }
 
 std::string make_summary_table(const RunAnalysis& analysis, const RoundAnalysis& round) {
-    const Best ratio(round, true, [](const CellAnalysis& c) { return get_value(c.ratio); });
-    const Best time(round, true, [](const CellAnalysis& c) { return get_value(c.time_ms); });
-    const Best converged(round, true,
-                         [](const CellAnalysis& c) { return get_value(c.converged_time_ms); });
-    const Best total(round, true, [](const CellAnalysis& c) {
-        return c.cell.has_passes ? get_value(c.total_ms) : std::nullopt;
-    });
-    const std::vector<MetricColumns> metrics = make_metric_columns(analysis, round);
-    std::string text = "<div class=\"scroll\"><table class=\"summary\" data-sortable>\n" +
-                       make_head(analysis, metrics) + "<tbody>\n";
+    const SummaryColumns columns = {
+        Best(round, true, [](const CellAnalysis& c) { return get_value(c.ratio); }),
+        Best(round, true, [](const CellAnalysis& c) { return get_value(c.time_ms); }),
+        Best(round, true, [](const CellAnalysis& c) { return get_value(c.converged_time_ms); }),
+        Best(round, true,
+             [](const CellAnalysis& c) {
+                 return c.cell.has_passes ? get_value(c.total_ms) : std::nullopt;
+             }),
+        make_metric_columns(analysis, round)};
+    std::string methods;
+    std::string anchors;
     for (std::size_t i = 0; i < round.cells.size(); ++i) {
         const CellAnalysis& cell = round.cells[i];
-        const bool is_method = cell.cell.role == CellRole::method;
-        text +=
-            fmt::format("<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}{}</th>",
-                        is_method ? "method" : "anchor", make_label(cell, i),
-                        cell.is_on_front ? "<span class=\"front\" title=\"No other method is both "
-                                           "faster and more accurate\">front</span>"
-                                         : "");
-        if (!cell.cell.has_passes) {
-            constexpr const char* kZero =
-                "<td data-value=\"0\"><b>0</b><small>no passes</small></td>";
-            text += "<td class=\"absent\">&ndash;</td>" + std::string(kZero) + kZero;
-        } else {
-            text += cell.cell.role == CellRole::anchor
-                        ? std::string("<td data-value=\"1\"><b>1</b><small>the unit</small></td>")
-                        : make_estimate_cell(cell.ratio, ratio.mark(cell));
-            text += make_estimate_cell(cell.time_ms, time.mark(cell));
-            text += make_estimate_cell(cell.converged_time_ms, converged.mark(cell));
-        }
-        text += make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "");
-        text += make_estimate_cell(cell.total_ms, total.mark(cell));
-        for (const MetricColumns& metric : metrics) {
-            text += make_error_cell(cell, SampleState::cold, metric.name, metric.cold.mark(cell));
-            text += make_error_cell(cell, SampleState::converged, metric.name,
-                                    metric.converged.mark(cell));
-        }
-        text += "</tr>\n";
+        (cell.cell.role == CellRole::method ? methods : anchors) += make_row(cell, i, columns);
     }
-    return text + "</tbody></table></div>\n";
+    return "<div class=\"scroll\"><table class=\"summary\" data-sortable>\n" +
+           make_head(analysis, columns.metrics) + "<tbody>\n" + methods + anchors +
+           "</tbody></table></div>\n";
 }
 
 } // namespace alcove

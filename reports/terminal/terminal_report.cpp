@@ -121,7 +121,7 @@ std::string make_terminal_report(const RunAnalysis& analysis, const std::filesys
     text +=
         "Times: [95 % interval] or min..max over n repeats. Errors: mean over n frames, `<` their "
         "floor where the reference's own noise is larger.\n* not beaten in both time and error\n";
-    text += fmt::format("{}; {}\n", clean(describe_device(analysis.context)),
+    text += fmt::format("{}; timer {}\n", clean(describe_device(analysis.context)),
                         clean(describe_timer(analysis)));
     text += "report: " + page.string() + "\n";
     return text;

@@ -49,7 +49,7 @@ function overlaps(a: Box, b: Box): boolean {
 function placeLabel(x: number, y: number, width: number, height: number, area: Box, taken: Box[]): Box | null {
   const gap = 0.8 * height;
   const tries: [number, number][] = [
-    [x + gap, y - height / 2], [x - gap - width, y - height / 2], [x - width / 2, y - gap - height],
+    [x + 0.5 * gap, y - 1.2 * height], [x + gap, y - height / 2], [x - gap - width, y - height / 2], [x - width / 2, y - gap - height],
     [x - width / 2, y + gap], [x + gap, y - 1.5 * height], [x + gap, y + 0.5 * height],
     [x - gap - width, y - 1.5 * height], [x - gap - width, y + 0.5 * height],
   ];
