@@ -32,22 +32,22 @@ endfunction()
 # Every unit carries the hash of its folder, the room's common/ and, for methods, core/frame and core/gl.
 function(alcove_registry target room unit_type header)
   set(output ${CMAKE_CURRENT_BINARY_DIR}/registry.cpp)
-  set(folders core/frame core/gl)
-  if(NOT room STREQUAL "methods")
-    set(folders "")
+  set(common ${room}/common)
+  if(room STREQUAL "methods")
+    list(APPEND common core/frame core/gl)
   endif()
   set(inputs "")
   foreach(unit IN LISTS ARGN)
     file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${room}/${unit}/*)
     list(APPEND inputs ${files})
   endforeach()
-  foreach(folder IN ITEMS ${room}/common ${folders})
+  foreach(folder IN LISTS common)
     file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*)
     list(APPEND inputs ${files})
   endforeach()
   add_custom_command(OUTPUT ${output}
     COMMAND ${CMAKE_COMMAND} -DROOT=${CMAKE_SOURCE_DIR} -DOUTPUT=${output} -DROOM=${room} -DUNIT_TYPE=${unit_type}
-            -DHEADER=${header} "-DUNITS=${ARGN}" "-DCOMMON=${room}/common;${folders}"
+            -DHEADER=${header} "-DUNITS=${ARGN}" "-DCOMMON=${common}"
             -P ${CMAKE_SOURCE_DIR}/cmake/registry.cmake
     DEPENDS ${inputs} ${CMAKE_SOURCE_DIR}/cmake/registry.cmake
     VERBATIM)

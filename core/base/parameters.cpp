@@ -66,16 +66,19 @@ class DefaultResolver {
         }
         const double number = evaluate_expression(
             info.default_expression, [this](std::string_view name) { return get_number(name); });
-        const bool is_integer = info.kind == ParameterKind::integer;
-        const ParameterValue value =
-            is_integer ? ParameterValue{static_cast<std::int64_t>(std::llround(number))}
-                       : ParameterValue{number};
         if (!is_in_range(info, number)) {
             throw InputError(m_table.owner() + "." + info.name,
                              "its default, " + info.default_expression + ", is out of range",
                              format_number(number), describe_range(info));
         }
-        return m_values.emplace(info.name, ResolvedParameter{info.name, value}).first->second;
+        ResolvedParameter& resolved = m_values[info.name];
+        resolved.name = info.name;
+        if (info.kind == ParameterKind::integer) {
+            resolved.value.emplace<std::int64_t>(std::llround(number));
+        } else {
+            resolved.value.emplace<double>(number);
+        }
+        return resolved;
     }
 
   private:

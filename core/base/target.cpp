@@ -48,10 +48,10 @@ Normals parse_normals(std::string_view text) {
 }
 
 std::string describe(const Target& target) {
-    return "radius=" + format_number(target.radius_m) + " m, falloff=" +
-           std::string(to_text(target.falloff)) + ", weighting=" +
-           std::string(to_text(target.weighting)) + ", normals=" +
-           std::string(to_text(target.normals));
+    return "radius=" + format_number(target.radius_m) +
+           ",falloff=" + std::string(to_text(target.falloff)) +
+           ",weighting=" + std::string(to_text(target.weighting)) +
+           ",normals=" + std::string(to_text(target.normals));
 }
 
 Target parse_target(std::string_view text, const Target& base) {

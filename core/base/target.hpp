@@ -31,7 +31,7 @@ struct Target {
 [[nodiscard]] Weighting parse_weighting(std::string_view text);
 [[nodiscard]] Normals parse_normals(std::string_view text);
 
-/// "radius=0.5 m, falloff=linear, weighting=cosine, normals=shading"
+/// "radius=0.5,falloff=linear,weighting=cosine,normals=shading", radius in metres: parse_target reads it back.
 [[nodiscard]] std::string describe(const Target& target);
 
 /// Reads "radius=R,falloff=F,weighting=W,normals=N" over `base`, which gives what is not named.

@@ -50,8 +50,6 @@ class Method {
     Method& operator=(const Method&) = delete;
 
     [[nodiscard]] virtual MethodRequests get_requests() const { return {}; }
-    /// Frames of a held camera until the image no longer changes; 0 for a method without history.
-    [[nodiscard]] virtual int warm_frames() const { return 0; }
     /// Allocates for this size. Called before the first frame and whenever the size changes; implies reset_history.
     virtual void resize(ImageSize size) = 0;
     /// Forgets all earlier frames. Called at each segment's start.
@@ -95,6 +93,11 @@ struct MethodUnit {
     /// Overrides that give the method's own limit of many samples; nothing if it has none.
     std::optional<std::string> converged_preset;
     std::function<TargetMapping(const Target&)> map_target;
+    /// Frames of a held camera until the image no longer changes; 0 for a method without history. Known without a
+    /// device, because the plan says it.
+    std::function<int(const ResolvedParameters&)> warm_frames = [](const ResolvedParameters&) {
+        return 0;
+    };
     std::function<std::unique_ptr<Method>(gl::Context&, const ResolvedParameters&)> create;
 
     /// Throws InputError with the nearest name.

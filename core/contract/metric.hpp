@@ -66,6 +66,7 @@ struct MetricUnit {
     Direction direction = Direction::lower_is_better;
     MetricDomain domain = MetricDomain::values;
     bool luma = false; ///< colour images are reduced to Rec. 709 luma first
+    int smallest_side = 1; ///< pixels; smaller images are an error
     double minimum = 0.0;
     double maximum = 0.0;          ///< may be inf
     std::optional<double> best;    ///< value of (x, x); nothing where that is undefined (psnr)

@@ -1,6 +1,6 @@
 #include "core/frame/compose.hpp"
 
-#include "core/gl/gl_timer_bench.hpp"
+#include "core/gl/shaders.hpp"
 
 #include <algorithm>
 
@@ -9,7 +9,7 @@ namespace alcove {
 Compose::Compose(const gl::Functions& gl, ImageSize size)
     : m_gl(gl), m_picture(gl, GL_RGBA16F, size),
       m_framebuffer(gl::create_framebuffer(gl, {&m_picture})),
-      m_program(gl, gl::ShaderLibrary{embedded_frame_shaders(), gl::embedded_gl_shaders()},
+      m_program(gl, gl::ShaderLibrary{embedded_frame_shaders(), embedded_gl_shaders()},
                 "core/frame/compose.frag.glsl") {}
 
 void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,

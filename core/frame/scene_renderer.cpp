@@ -1,7 +1,7 @@
 #include "core/frame/scene_renderer.hpp"
 
 #include "core/base/error.hpp"
-#include "core/gl/gl_timer_bench.hpp"
+#include "core/gl/shaders.hpp"
 
 #include <limits>
 
@@ -49,7 +49,7 @@ void set_matrix(const gl::Functions& gl, GLint location, const glm::dmat4& matri
 
 SceneRenderer::SceneRenderer(const gl::Functions& gl, const Scene& scene)
     : m_gl(gl), m_scene(scene),
-      m_library{embedded_frame_shaders(), gl::embedded_gl_shaders()},
+      m_library{embedded_frame_shaders(), embedded_gl_shaders()},
       m_rebuild(gl, m_library, "core/frame/rebuild_eye_depth.frag.glsl") {
     if (scene.get_lights().directional.size() > kMaximumLights) {
         throw InputError("scene", "too many directional lights",

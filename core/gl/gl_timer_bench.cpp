@@ -1,6 +1,7 @@
 #include "core/gl/gl_timer_bench.hpp"
 
 #include "core/base/error.hpp"
+#include "core/gl/shaders.hpp"
 
 #include <limits>
 

@@ -6,9 +6,6 @@
 
 namespace alcove::gl {
 
-/// The GLSL files of core/gl.
-[[nodiscard]] std::span<const EmbeddedFile> embedded_gl_shaders();
-
 class GlTimerBench final : public TimerBench {
   public:
     explicit GlTimerBench(const Functions& gl);

@@ -18,7 +18,7 @@ enum class TimerMode {
     timestamp,            ///< GL_TIMESTAMP at each end
     timestamp_flush,      ///< glFlush, GL_TIMESTAMP
     timestamp_flush_both, ///< glFlush, GL_TIMESTAMP, glFlush
-    timestamp_finish,     ///< glFinish, GL_TIMESTAMP
+    timestamp_finish,     ///< glFinish, GL_TIMESTAMP, glFlush
     fenced_wall,          ///< glFinish and the CPU's steady clock: the fallback, never validated
 };
 inline constexpr std::array kQueryModes{TimerMode::time_elapsed, TimerMode::timestamp,

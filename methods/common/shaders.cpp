@@ -1,7 +1,7 @@
 #include "methods/common/shaders.hpp"
 
 #include "core/frame/full_screen.hpp"
-#include "core/gl/gl_timer_bench.hpp"
+#include "core/gl/shaders.hpp"
 
 namespace alcove {
 
@@ -9,7 +9,7 @@ namespace alcove {
 std::span<const EmbeddedFile> embedded_method_shaders();
 
 gl::ShaderLibrary make_method_shader_library() {
-    return {embedded_method_shaders(), embedded_frame_shaders(), gl::embedded_gl_shaders()};
+    return {embedded_method_shaders(), embedded_frame_shaders(), embedded_gl_shaders()};
 }
 
 } // namespace alcove

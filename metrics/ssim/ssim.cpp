@@ -138,6 +138,7 @@ MetricUnit ssim_unit() {
     unit.direction = Direction::higher_is_better;
     unit.domain = MetricDomain::view;
     unit.luma = true;
+    unit.smallest_side = 2 * kRadius + 1;
     unit.minimum = -1.0;
     unit.maximum = 1.0;
     unit.best = 1.0;

@@ -1,0 +1,44 @@
+#include "harness/app/planned.hpp"
+
+#include "core/base/error.hpp"
+
+#include <array>
+
+namespace alcove {
+
+std::span<const Planned> list_planned_verbs() {
+    static constexpr std::array kVerbs{
+        Planned{"compare", "two runs, paired through the anchor"},
+        Planned{"ab", "two builds or commits, alternately in one go"},
+        Planned{"nightly", "run, append to the store, gate against history"},
+        Planned{"reproduce", "published figures beside measured ones"},
+        Planned{"stability", "the hard cases, method by case"},
+        Planned{"recommend", "a method and preset for a quality or a budget"},
+        Planned{"score", "new metrics over kept images"},
+        Planned{"why", "which ingredient made a cell run or be reused"},
+        Planned{"cache", "path, size, verify, prune"},
+        Planned{"scene", "fetch and export scenes"},
+        Planned{"plan", "the effects a scene calls for"},
+        Planned{"tune", "fit parameters to a target"},
+        Planned{"view", "a window: fly, switch methods, record"},
+    };
+    return kVerbs;
+}
+
+std::span<const Planned> list_planned_run_flags() {
+    static constexpr std::array kFlags{
+        Planned{"--sweep", "METHOD.PARAM=v1,v2,..."},
+        Planned{"--allow-software", "accept llvmpipe where a GPU was asked for"},
+        Planned{"--warm", "hold the first pose before the segment"},
+        Planned{"--audit", "one frame in full"},
+        Planned{"--dry-run", "cells, rounds and estimated time only"},
+        Planned{"--shard", "part I of N of the rounds"},
+    };
+    return kFlags;
+}
+
+void throw_planned(const std::string& name) {
+    throw InputError("`" + name + "` is planned, not built yet");
+}
+
+} // namespace alcove

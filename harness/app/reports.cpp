@@ -1,0 +1,31 @@
+#include "harness/app/reports.hpp"
+
+#include "reports/csv/summary_csv.hpp"
+#include "reports/html/html_report.hpp"
+#include "reports/terminal/terminal_report.hpp"
+
+#include <cstdio>
+
+namespace alcove {
+namespace {
+
+std::filesystem::path get_page_folder(const RunFolder& run, const std::filesystem::path& out) {
+    return out.empty() ? run.path() / "report" : out;
+}
+
+} // namespace
+
+void write_reports(const RunFolder& run, bool in_progress, std::vector<ProvisionalRow> provisional,
+                   const std::filesystem::path& out) {
+    write_summary_csv(run, analyze_run(run));
+    write_html_report(run, {in_progress, std::move(provisional), get_page_folder(run, out)});
+}
+
+void print_table(const RunFolder& run, const std::filesystem::path& out) {
+    const std::string text =
+        make_terminal_report(analyze_run(run), get_page_folder(run, out) / "index.html");
+    std::fputs(text.c_str(), stdout);
+    std::fflush(stdout);
+}
+
+} // namespace alcove

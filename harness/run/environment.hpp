@@ -1,0 +1,20 @@
+#pragma once
+// The machine, the device and the build that a run's numbers belong to.
+
+#include "core/gl/context.hpp"
+#include "core/gl/timer_validation.hpp"
+#include "reports/record/record.hpp"
+
+namespace alcove {
+
+/// Everything about this process, this device and its timers, with the time of day.
+[[nodiscard]] ContextRecord describe_environment(const gl::Context& context,
+                                                 const gl::TimerReport& timers);
+
+/// Throws InputError (exit 2) naming both if a run made by another build or driver would be continued here.
+void check_same_environment(const ContextRecord& recorded, const ContextRecord& here);
+
+/// "20261122T013000Z"
+[[nodiscard]] std::string make_utc_stamp();
+
+} // namespace alcove

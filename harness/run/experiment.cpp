@@ -1,0 +1,54 @@
+#include "harness/run/experiment.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/text.hpp"
+
+namespace alcove {
+
+MethodSpec parse_method_spec(std::string_view text) {
+    MethodSpec spec;
+    spec.label = text;
+    std::string_view rest = text;
+    if (const std::size_t mark = rest.find('#'); mark != std::string_view::npos) {
+        spec.label = rest.substr(mark + 1);
+        rest = rest.substr(0, mark);
+        if (spec.label.empty()) {
+            throw InputError("--method", "empty label after #", text, "M[@PRESET][:key=value,...][#label]");
+        }
+    }
+    if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
+        for (const KeyValue& entry : parse_key_values(rest.substr(colon + 1), "--method")) {
+            spec.overrides.push_back({entry.key, entry.value, Provenance::command_line});
+        }
+        rest = rest.substr(0, colon);
+    }
+    if (const std::size_t at = rest.find('@'); at != std::string_view::npos) {
+        spec.preset = rest.substr(at + 1);
+        rest = rest.substr(0, at);
+    }
+    spec.method = rest;
+    return spec;
+}
+
+ImageSize parse_size(std::string_view text) {
+    constexpr std::int64_t kLargest = 16384;
+    const std::vector<std::string> parts = split(text, 'x');
+    const char* const expected = "WxH with 1 to 16384 pixels each, for example 384x288";
+    if (parts.size() != 2) {
+        throw InputError("--size", "not a size", text, expected);
+    }
+    const std::int64_t width = parse_integer(parts[0], "--size");
+    const std::int64_t height = parse_integer(parts[1], "--size");
+    if (width < 1 || height < 1 || width > kLargest || height > kLargest) {
+        throw InputError("--size", "out of range", text, expected);
+    }
+    return {static_cast<int>(width), static_cast<int>(height)};
+}
+
+std::vector<MethodSpec> make_default_methods() {
+    return {parse_method_spec("none"), parse_method_spec("hemisphere_ssao"),
+            parse_method_spec("hemisphere_ssao@strong_blur"),
+            parse_method_spec("hemisphere_ssao:samples=64")};
+}
+
+} // namespace alcove

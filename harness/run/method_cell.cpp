@@ -1,0 +1,33 @@
+#include "harness/run/method_cell.hpp"
+
+namespace alcove {
+
+MethodCell::MethodCell(gl::Context& context, const MethodUnit& unit, const CellRecord& record,
+                       ImageSize size)
+    : m_context(context), m_record(record),
+      m_method(unit.create(context, read_parameters(unit, record))),
+      m_requests(m_method->get_requests()) {
+    m_method->resize(size);
+}
+
+MethodOutput MethodCell::render(const MethodInputs& inputs, PassTiming timing,
+                                gl::IntervalTimer& timer, CellTimes& times) {
+    m_context.reset_state();
+    m_context.functions().Finish();
+    PassRecorder recorder(timing, &timer);
+    if (timing == PassTiming::envelope) {
+        timer.begin();
+    }
+    const MethodOutput output = m_method->render(inputs, recorder);
+    if (timing == PassTiming::envelope) {
+        timer.end();
+    }
+    times.passes = recorder.names();
+    times.pass_ns.clear();
+    if (timing != PassTiming::none) {
+        times.pass_ns = timer.collect();
+    }
+    return output;
+}
+
+} // namespace alcove

@@ -1,0 +1,41 @@
+#pragma once
+// A cell of the plan with its living method.
+
+#include "core/frame/compose.hpp"
+#include "harness/run/plan.hpp"
+
+#include <memory>
+
+namespace alcove {
+
+/// One frame's times of one cell.
+struct CellTimes {
+    std::vector<std::string> passes;
+    std::vector<std::int64_t> pass_ns; ///< as many as passes (divided), or one (envelope), or none
+};
+
+class MethodCell {
+  public:
+    /// Creates the method (compiles its shaders) and allocates for the size.
+    MethodCell(gl::Context& context, const MethodUnit& unit, const CellRecord& record,
+               ImageSize size);
+
+    [[nodiscard]] const CellRecord& record() const noexcept { return m_record; }
+    [[nodiscard]] bool has_passes() const noexcept { return m_record.has_passes; }
+    [[nodiscard]] Method& method() noexcept { return *m_method; }
+    /// The base and what the method declares beyond it.
+    [[nodiscard]] ChannelSet channels() const { return kBaseChannels | m_requests.channels; }
+    [[nodiscard]] bool needs_geometry() const noexcept { return m_requests.posed_geometry; }
+
+    /// Resets GL state, waits for the device, renders. Times are empty for PassTiming::none.
+    [[nodiscard]] MethodOutput render(const MethodInputs& inputs, PassTiming timing,
+                                      gl::IntervalTimer& timer, CellTimes& times);
+
+  private:
+    gl::Context& m_context;
+    const CellRecord& m_record;
+    std::unique_ptr<Method> m_method;
+    MethodRequests m_requests;
+};
+
+} // namespace alcove

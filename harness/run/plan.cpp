@@ -1,0 +1,218 @@
+#include "harness/run/plan.hpp"
+
+#include "harness/run/scene_source.hpp"
+#include "harness/run/segments.hpp"
+#include "methods/registry.hpp"
+#include "metrics/registry.hpp"
+#include "scenes/registry.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace alcove {
+namespace {
+
+/// Lower-case letters, digits, '_', '.', '-': what may be part of a folder's name.
+std::string make_id(std::string_view text) {
+    std::string id;
+    for (const char c : text) {
+        const bool keep = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+        const bool upper = c >= 'A' && c <= 'Z';
+        id += keep ? c : upper ? static_cast<char>(c - 'A' + 'a') : '-';
+    }
+    constexpr std::size_t kLongest = 40;
+    return id.substr(0, kLongest);
+}
+
+CellRecord make_cell(const MethodUnit& unit, const MethodSpec& spec, const Target& target) {
+    std::vector<ParameterOverride> overrides = unit.find_preset(spec.preset).overrides;
+    for (ParameterOverride& override_value : overrides) {
+        override_value.provenance = Provenance::preset;
+    }
+    const TargetMapping mapping = unit.map_target(target);
+    overrides.insert(overrides.end(), mapping.overrides.begin(), mapping.overrides.end());
+    overrides.insert(overrides.end(), spec.overrides.begin(), spec.overrides.end());
+    CellRecord cell;
+    cell.label = spec.label;
+    cell.method = unit.name;
+    cell.preset = spec.preset;
+    cell.has_passes = unit.has_passes;
+    cell.target = describe(target);
+    cell.target_note = mapping.reason;
+    const ExpressionVariables variables{{"scene_radius", target.radius_m}};
+    const ResolvedParameters resolved = unit.parameters.resolve(overrides, variables);
+    cell.warm_frames = unit.warm_frames(resolved);
+    for (const ResolvedParameter& parameter : resolved.values()) {
+        const ParameterInfo& info = unit.parameters.find(parameter.name);
+        cell.parameters.push_back({parameter.name, to_text(parameter.value), info.unit, info.symbol,
+                                   std::string(to_text(parameter.provenance))});
+    }
+    return cell;
+}
+
+CellRecord make_anchor(const MethodUnit& unit, const Target& target, CellRole role) {
+    MethodSpec spec;
+    spec.method = unit.name;
+    spec.label = role == CellRole::anchor ? "anchor" : "anchor (again)";
+    CellRecord cell = make_cell(unit, spec, target);
+    cell.role = role;
+    cell.id = role == CellRole::anchor ? "anchor-a" : "anchor-b";
+    return cell;
+}
+
+std::vector<SegmentRecord> choose_segments(const Experiment& experiment, int frame_count) {
+    if (experiment.frames) {
+        return {parse_frames(*experiment.frames, frame_count)};
+    }
+    return experiment.quick ? make_quick_segments(frame_count)
+                            : make_default_segments(frame_count);
+}
+
+void describe_units(const Units& units, PlanRecord& record) {
+    std::set<std::string> methods;
+    for (const RoundRecord& round : record.rounds) {
+        for (const CellRecord& cell : round.cells) {
+            methods.insert(cell.method);
+        }
+    }
+    for (const std::string& name : methods) {
+        const MethodUnit& unit = units.methods.find(name);
+        record.methods.push_back({unit.name, unit.title, unit.citation, unit.content_hash});
+    }
+    for (const MetricUnit& unit : units.metrics.units()) {
+        if (unit.reported) {
+            record.metrics.push_back({unit.name, unit.title, unit.unit, unit.definition,
+                                      unit.blind_to,
+                                      unit.domain == MetricDomain::values ? "values" : "view",
+                                      unit.direction == Direction::lower_is_better});
+        }
+    }
+}
+
+/// The rounds of one scene, in groups of kMethodsPerRound.
+class ScenePlanner {
+  public:
+    ScenePlanner(const Experiment& experiment, const Units& units, PlanRecord& record)
+        : m_experiment(experiment), m_units(units), m_record(record) {}
+
+    void add(const std::string& name, const Scene& scene) {
+        Target base;
+        base.radius_m = scene.get_ao_radius_m();
+        const Target target = m_experiment.target.empty()
+                                  ? base
+                                  : parse_target(m_experiment.target, base);
+        RoundRecord round;
+        round.scene = name;
+        round.walkthrough = scene.get_walkthrough().name;
+        round.target = describe(target);
+        round.width = m_experiment.size.width;
+        round.height = m_experiment.size.height;
+        round.precision = describe(m_experiment.precision);
+        round.segments =
+            choose_segments(m_experiment, static_cast<int>(scene.get_walkthrough().cameras.size()));
+        round.image_frames = choose_image_frames(round.segments);
+        const SceneSize size = count_size(scene);
+        round.scene_vertices = size.vertices;
+        round.scene_triangles = size.triangles;
+        round.ao_radius_m = scene.get_ao_radius_m();
+        const std::vector<MethodSpec>& specs = m_experiment.methods;
+        for (std::size_t first = 0; first < specs.size(); first += kMethodsPerRound) {
+            const std::size_t end = std::min(first + kMethodsPerRound, specs.size());
+            add_round(round, target, {specs.begin() + static_cast<std::ptrdiff_t>(first),
+                                      specs.begin() + static_cast<std::ptrdiff_t>(end)});
+        }
+    }
+
+  private:
+    void add_round(RoundRecord round, const Target& target, const std::vector<MethodSpec>& specs) {
+        const std::string number = std::to_string(m_record.rounds.size() + 1);
+        const std::string scene = is_scene_file(round.scene)
+                                      ? std::filesystem::path(round.scene).stem().string()
+                                      : round.scene;
+        round.id = "r" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number +
+                   "-" + make_id(scene);
+        const MethodUnit& anchor = m_units.methods.find("anchor");
+        round.cells.push_back(make_anchor(anchor, target, CellRole::anchor));
+        round.cells.push_back(make_anchor(anchor, target, CellRole::anchor_repeat));
+        for (const MethodSpec& spec : specs) {
+            CellRecord cell = make_cell(m_units.methods.find(spec.method), spec, target);
+            cell.id = "c" + std::to_string(round.cells.size() - 1) + "-" + make_id(spec.label);
+            round.cells.push_back(std::move(cell));
+        }
+        m_record.rounds.push_back(std::move(round));
+    }
+
+    const Experiment& m_experiment;
+    const Units& m_units;
+    PlanRecord& m_record;
+};
+
+/// Names of the experiment, or all reported scenes; `quick` takes the first that can be opened.
+std::vector<std::string> choose_scenes(const Experiment& experiment, const Units& units) {
+    if (!experiment.scenes.empty()) {
+        return experiment.scenes;
+    }
+    std::vector<std::string> names;
+    for (const SceneUnit& unit : units.scenes.units()) {
+        if (unit.reported) {
+            names.push_back(unit.name);
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+Units get_units() { return {methods_registry(), metrics_registry(), scenes_registry()}; }
+
+MadePlan make_plan(const Experiment& experiment, const Units& units) {
+    MadePlan plan;
+    PlanRecord& record = plan.record;
+    record.experiment = experiment.name;
+    record.command_line = experiment.command_line;
+    record.repeats = experiment.repeats;
+    record.shuffle_seed = experiment.shuffle_seed;
+    record.reference_rays_per_half = experiment.reference_rays_per_half;
+    Experiment complete = experiment;
+    if (complete.methods.empty()) {
+        complete.methods = make_default_methods();
+    }
+    ScenePlanner planner(complete, units, record);
+    for (const std::string& name : choose_scenes(complete, units)) {
+        if (!is_scene_file(name)) {
+            const SceneUnit& unit = units.scenes.find(name);
+            if (const std::optional<std::string> obstacle = unit.find_obstacle()) {
+                record.skipped.push_back({name, *obstacle});
+                continue;
+            }
+            record.scenes.push_back(
+                {unit.name, unit.title, unit.stresses, unit.license, unit.content_hash});
+        } else {
+            record.scenes.push_back({name, "glTF file of the user", "", "not stated", ""});
+        }
+        planner.add(name, *open_scene(units.scenes, name, plan.warnings));
+        if (complete.quick && complete.scenes.empty()) {
+            break;
+        }
+    }
+    if (record.rounds.empty()) {
+        std::string reasons;
+        for (const SkippedScene& skipped : record.skipped) {
+            reasons += "\n  " + skipped.scene + ": " + skipped.reason;
+        }
+        throw FailureError("run", "no scene is left to replay:" + reasons);
+    }
+    describe_units(units, record);
+    return plan;
+}
+
+ResolvedParameters read_parameters(const MethodUnit& unit, const CellRecord& cell) {
+    std::vector<ParameterOverride> overrides;
+    for (const ParameterRecord& parameter : cell.parameters) {
+        overrides.push_back({parameter.name, parameter.value, Provenance::file});
+    }
+    return unit.parameters.resolve(overrides, {});
+}
+
+} // namespace alcove

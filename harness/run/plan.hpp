@@ -1,0 +1,36 @@
+#pragma once
+// From an experiment to a plan: axes -> cells -> rounds. The record is the plan: what is run, and resumed, is read from
+// it alone.
+
+#include "core/contract/method.hpp"
+#include "core/contract/metric.hpp"
+#include "harness/run/experiment.hpp"
+#include "reports/record/record.hpp"
+
+namespace alcove {
+
+/// The rooms a run draws on.
+struct Units {
+    Registry<MethodUnit> methods;
+    Registry<MetricUnit> metrics;
+    Registry<SceneUnit> scenes;
+};
+[[nodiscard]] Units get_units();
+
+/// Largest number of methods in a round, beside the anchor twice.
+inline constexpr std::size_t kMethodsPerRound = 8;
+
+struct MadePlan {
+    PlanRecord record;
+    std::vector<std::string> warnings;
+};
+
+/// Opens each scene once to learn its radius, size and walkthrough. A scene that cannot be opened for want of a package
+/// is skipped with its reason. Throws InputError on unknown names and values out of range, FailureError (exit 1) if no
+/// scene is left.
+[[nodiscard]] MadePlan make_plan(const Experiment& experiment, const Units& units);
+
+/// A cell's parameters, read back from the record.
+[[nodiscard]] ResolvedParameters read_parameters(const MethodUnit& unit, const CellRecord& cell);
+
+} // namespace alcove
