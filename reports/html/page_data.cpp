@@ -2,6 +2,7 @@
 
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/round_section.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -58,13 +59,30 @@ Json make_cell(const RoundAnalysis& round, const CellAnalysis& cell, std::size_t
     }
     return {{"id", cell.cell.id},
             {"label", cell.cell.label},
-            {"color", index},
+            {"series", get_series_class(cell, index)},
             {"isMethod", cell.cell.role == CellRole::method},
             {"onFront", cell.is_on_front},
             {"ratio", make_ratio(cell)},
             {"errors", errors},
             {"times", times},
             {"frameErrors", frame_errors}};
+}
+
+/// The reference's floor of every frame: the same for all methods, so taken from the first that has
+/// it.
+Json make_frame_floors(const RoundAnalysis& round, const std::string& metric) {
+    Json floors = Json::array();
+    for (const CellAnalysis& cell : round.cells) {
+        for (const FrameError& error : cell.frame_errors) {
+            if (error.metric == metric && error.floor) {
+                floors.push_back({error.segment, error.frame, *error.floor});
+            }
+        }
+        if (!floors.empty()) {
+            break;
+        }
+    }
+    return floors;
 }
 
 Json make_pictures(const RoundAnalysis& round, const PictureFinder& finder) {
@@ -93,7 +111,8 @@ Json make_round(const RunAnalysis& analysis, const RoundAnalysis& round,
         const MetricDescription* metric = analysis.find_metric(name);
         metrics.push_back({{"name", name},
                            {"title", metric == nullptr ? name : metric->title},
-                           {"lowerIsBetter", metric == nullptr || metric->lower_is_better}});
+                           {"lowerIsBetter", metric == nullptr || metric->lower_is_better},
+                           {"frameFloors", make_frame_floors(round, name)}});
     }
     Json segments = Json::array();
     for (const SegmentRecord& segment : round.round.segments) {

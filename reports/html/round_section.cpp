@@ -33,14 +33,14 @@ std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) 
 std::string make_charts(const RoundAnalysis& round) {
     return fmt::format("<div class=\"charts\" data-charts=\"{}\">\n"
                        "<figure data-chart=\"scatter\"><figcaption>Time against error<small>Left "
-                       "and down is better. Bars: interval "
-                       "or extremes over repeats. Line: the front.</small></figcaption></figure>\n"
+                       "is faster. Bars: interval or extremes over repeats. Line: the "
+                       "front.</small></figcaption></figure>\n"
                        "<figure data-chart=\"times\"><figcaption>Frame time<small>Envelope, cold; "
                        "median over repeats, band "
                        "min..max. Bursts side by side.</small></figcaption></figure>\n"
                        "<figure data-chart=\"errors\"><figcaption>Error over frames<small>Cold: "
-                       "history starts empty in every "
-                       "burst.</small></figcaption></figure>\n"
+                       "history starts empty in every burst. Dashed: reference "
+                       "floor.</small></figcaption></figure>\n"
                        "</div>\n",
                        round.round.id);
 }

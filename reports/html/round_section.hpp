@@ -27,6 +27,9 @@ namespace alcove {
 [[nodiscard]] std::string make_estimate_cell(const std::optional<Estimate>& estimate,
                                              const char* mark = "");
 
+/// Colours of methods in page.css; a round has the anchor twice and up to 8 methods.
+inline constexpr std::size_t kSeriesColors = 10;
+
 /// Class that gives an element a cell's colour: "series-3", or "series-anchor" for both anchors.
 [[nodiscard]] std::string get_series_class(const CellAnalysis& cell, std::size_t index);
 

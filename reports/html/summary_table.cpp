@@ -159,8 +159,8 @@ std::string make_estimate_cell(const std::optional<Estimate>& estimate, const ch
 }
 
 std::string get_series_class(const CellAnalysis& cell, std::size_t index) {
-    return "series-" +
-           (cell.cell.role == CellRole::method ? std::to_string(index) : std::string("anchor"));
+    return "series-" + (cell.cell.role == CellRole::method ? std::to_string(index % kSeriesColors)
+                                                           : std::string("anchor"));
 }
 
 std::string make_label(const CellAnalysis& cell, std::size_t index) {

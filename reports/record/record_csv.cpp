@@ -5,6 +5,7 @@
 #include "reports/record/csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace alcove {
@@ -25,8 +26,9 @@ std::string join(const std::vector<std::string>& names) {
     return text;
 }
 
+/// What is not finite is no value; the row's note says why.
 std::string format_optional(const std::optional<double>& value) {
-    return value ? format_number(*value) : std::string();
+    return value && std::isfinite(*value) ? format_number(*value) : std::string();
 }
 
 /// One line, read column by column from the left.
@@ -63,7 +65,14 @@ class Line {
 
     std::optional<double> take_optional() {
         const std::string& text = take();
-        return text.empty() ? std::nullopt : std::optional<double>(parse_number(text, place()));
+        if (text.empty()) {
+            return std::nullopt;
+        }
+        const double value = parse_number(text, place());
+        if (!std::isfinite(value)) {
+            fail("not finite", text, "a finite number, or nothing and a note");
+        }
+        return value;
     }
 
     /// The enumerator (0 or 1) whose text stands here.

@@ -9,6 +9,7 @@
 
 namespace alcove {
 
+/// Numbers of metrics that are not finite become empty fields.
 [[nodiscard]] std::string make_samples_csv(const std::vector<SampleRow>& rows);
 [[nodiscard]] std::string make_metrics_csv(const std::vector<MetricRow>& rows);
 

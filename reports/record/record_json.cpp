@@ -165,7 +165,12 @@ void visit(V& v, DoneFile& r) {
 }
 
 constexpr const char* kRoleNames[] = {"method", "anchor", "anchor_repeat"};
+// Far above what a run can do; what a file from outside claims must not decide how much memory a
+// report takes.
 constexpr std::size_t kMaximumJsonBytes = 1u << 26;
+constexpr int kMaximumRepeats = 10000;
+constexpr std::size_t kMaximumCells = 64;
+constexpr std::size_t kMaximumImageFrames = 1000;
 
 class Writer {
   public:
@@ -348,6 +353,15 @@ void check_round(const RoundRecord& round, const std::string& where) {
                          std::to_string(round.width) + "x" + std::to_string(round.height),
                          "positive numbers of pixels");
     }
+    if (round.cells.size() > kMaximumCells) {
+        throw InputError(where + ".cells", "too many cells", std::to_string(round.cells.size()),
+                         "at most " + std::to_string(kMaximumCells));
+    }
+    if (round.image_frames.size() > kMaximumImageFrames) {
+        throw InputError(where + ".image_frames", "too many frames",
+                         std::to_string(round.image_frames.size()),
+                         "at most " + std::to_string(kMaximumImageFrames));
+    }
     for (std::size_t i = 0; i < round.segments.size(); ++i) {
         const SegmentRecord& segment = round.segments[i];
         if (segment.end <= segment.begin) {
@@ -392,6 +406,10 @@ ContextRecord parse_context_json(std::string_view text, std::string_view file) {
 
 PlanRecord parse_plan_json(std::string_view text, std::string_view file) {
     PlanRecord plan = read_record<PlanRecord>(text, file);
+    if (plan.repeats > kMaximumRepeats) {
+        throw InputError(std::string(file) + ": repeats", "too many", std::to_string(plan.repeats),
+                         "at most " + std::to_string(kMaximumRepeats));
+    }
     std::set<std::string> rounds;
     for (std::size_t i = 0; i < plan.rounds.size(); ++i) {
         const std::string where = std::string(file) + ": rounds[" + std::to_string(i) + "]";

@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import type { Cell, Metric, Round } from "./data";
 import { formatNumber, make, makeButton, makeSelect } from "./dom";
 import { makeAxis, PlotSlot } from "./plot";
-import { getSeriesClass, onTheme, readSeriesColor, readTheme } from "./theme";
+import { onTheme, readSeriesColor, readTheme } from "./theme";
 
 const gapFrames = 3;
 
@@ -39,9 +39,10 @@ export function layOutFrames(segments: [number, number][]): FrameAxis {
   return axis;
 }
 
-interface Curve { cell: Cell; middle: (number | null)[]; low?: (number | null)[]; high?: (number | null)[] }
+type Values = (number | null)[];
+interface Curve { cell: Cell; middle: Values; low?: Values; high?: Values }
 
-function alignValues(axis: FrameAxis, rows: [number, number, number | null][]): (number | null)[] {
+function alignValues(axis: FrameAxis, rows: [number, number, number | null][]): Values {
   const byKey = new Map(rows.map(([segment, frame, value]) => [`${segment}/${frame}`, value]));
   return axis.keys.map((key) => (key === null ? null : (byKey.get(`${key[0]}/${key[1]}`) ?? null)));
 }
@@ -65,7 +66,7 @@ class Legend {
         onSwitch();
       });
       button.setAttribute("aria-pressed", "true");
-      button.append(make("span", { class: `swatch ${getSeriesClass(cell)}` }), cell.label, reading);
+      button.append(make("span", { class: `swatch ${cell.series}` }), cell.label, reading);
       this.readings.set(cell.id, reading);
       this.element.append(make("li", {}, button));
     }
@@ -80,7 +81,15 @@ class Legend {
   }
 }
 
-function makeCurveChart(figure: HTMLElement, axis: FrameAxis, label: () => string, makeCurves: () => Curve[]): () => void {
+interface CurveChart {
+  axis: FrameAxis;
+  label: () => string;
+  makeCurves: () => Curve[];
+  /** drawn dashed below the curves */
+  makeFloor?: () => Values;
+}
+
+function makeCurveChart(figure: HTMLElement, { axis, label, makeCurves, makeFloor }: CurveChart): () => void {
   const holder = make("div");
   const slot = new PlotSlot(holder);
   let curves = makeCurves();
@@ -91,7 +100,12 @@ function makeCurveChart(figure: HTMLElement, axis: FrameAxis, label: () => strin
     const shown = curves.filter((curve) => !legend.hidden.has(curve.cell.id));
     const series: uPlot.Series[] = [{}];
     const bands: uPlot.Band[] = [];
-    const data: (number | null)[][] = [];
+    const data: Values[] = [];
+    const floor = makeFloor?.() ?? [];
+    if (floor.some((value) => value !== null)) {
+      series.push({ stroke: theme.soft, width: 1, dash: [5, 4], points: { show: false } });
+      data.push(floor);
+    }
     for (const curve of shown) {
       const color = readSeriesColor(curve.cell);
       if (curve.low !== undefined && curve.high !== undefined) {
@@ -153,10 +167,14 @@ export function makeTimeCurves(figure: HTMLElement, round: Round, deviceClass: s
     figure.hidden = true;
     return;
   }
-  const column = (cell: Cell, index: 2 | 3 | 4): (number | null)[] =>
+  const column = (cell: Cell, index: 2 | 3 | 4): Values =>
     alignValues(axis, cell.times.map((row) => [row[0], row[1], row[index]]));
-  makeCurveChart(figure, axis, () => `ms ${deviceClass}`, () =>
-    cells.map((cell) => ({ cell, middle: column(cell, 2), low: column(cell, 3), high: column(cell, 4) })));
+  makeCurveChart(figure, {
+    axis,
+    label: () => `ms ${deviceClass}`,
+    makeCurves: () =>
+      cells.map((cell) => ({ cell, middle: column(cell, 2), low: column(cell, 3), high: column(cell, 4) })),
+  });
 }
 
 export function makeErrorCurves(figure: HTMLElement, round: Round): void {
@@ -167,8 +185,12 @@ export function makeErrorCurves(figure: HTMLElement, round: Round): void {
     return;
   }
   let metric: Metric = round.metrics.find((m) => m.name === round.frontMetric) ?? round.metrics[0]!;
-  const draw = makeCurveChart(figure, axis, () => metric.name, () =>
-    cells.map((cell) => ({ cell, middle: alignValues(axis, cell.frameErrors[metric.name] ?? []) })));
+  const draw = makeCurveChart(figure, {
+    axis,
+    label: () => metric.name,
+    makeCurves: () => cells.map((cell) => ({ cell, middle: alignValues(axis, cell.frameErrors[metric.name] ?? []) })),
+    makeFloor: () => alignValues(axis, metric.frameFloors),
+  });
   const choose = makeSelect(round.metrics.map((m) => ({ value: m.name, text: m.name })), "Metric", (name) => {
     metric = round.metrics.find((m) => m.name === name) ?? metric;
     draw();

@@ -5,7 +5,8 @@ export interface CellError { value: number; text: string; floor: number | null; 
 export interface Cell {
   id: string;
   label: string;
-  color: number;
+  /** class that gives an element the cell's colour; also the name of the CSS variable */
+  series: string;
   isMethod: boolean;
   onFront: boolean;
   ratio: Ratio | null;
@@ -15,7 +16,13 @@ export interface Cell {
   /** segment, frame, value */
   frameErrors: Record<string, [number, number, number | null][]>;
 }
-export interface Metric { name: string; title: string; lowerIsBetter: boolean }
+export interface Metric {
+  name: string;
+  title: string;
+  lowerIsBetter: boolean;
+  /** segment, frame, what the reference's own noise gives there */
+  frameFloors: [number, number, number][];
+}
 export interface PictureKind { key: string; title: string; ofReference: boolean }
 export interface Pictures {
   frames: number[];

@@ -220,7 +220,7 @@ export function makeScatter(figure: HTMLElement, round: Round): void {
         cursor: { drag: { x: false, y: false }, points: { show: false }, x: false, y: false },
         axes: [
           makeAxis(theme, "time, × anchor", 34),
-          { ...makeAxis(theme, `${metric.name} (${state})`, 58), values: (_, splits) => splits.map(formatNumber) },
+          { ...makeAxis(theme, `${metric.name} (${state}), ${metric.lowerIsBetter ? "lower" : "higher"} is better`, 58), values: (_, splits) => splits.map(formatNumber) },
         ],
         series: [{}, { paths: () => null, points: { show: false } }],
         hooks: { draw: [(u) => drawPoints(u, points, metric, theme)] },

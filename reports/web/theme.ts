@@ -18,12 +18,8 @@ export function readTheme(): Theme {
   };
 }
 
-export function getSeriesClass(cell: Cell): string {
-  return cell.isMethod ? `series-${cell.color}` : "series-anchor";
-}
-
 export function readSeriesColor(cell: Cell): string {
-  return readVariable(`--${getSeriesClass(cell)}`);
+  return readVariable(`--${cell.series}`);
 }
 
 export const chartFont = '12px system-ui, -apple-system, "Segoe UI", "Liberation Sans", sans-serif';

@@ -47,13 +47,12 @@ TEST(HtmlReport, SaysEverythingWithoutTheScript) {
     const TemporaryFolder folder;
     std::string page = write_page(synthetic::write_run(folder.path(), {}));
     page = page.substr(0, page.find("<script")); // the tables stand before
-    for (const char* part :
-         {"complete: 2 rounds", "hemisphere_ssao:samples=64", "software", "llvmpipe",
-          "timestamp_finish", "[2.4902, 2.5098] (n=6)", "&lt; 0.00400",
-          "Not beaten in both time and error", "under 50 ticks", "input/motion", "time_elapsed",
-          "refused", "its mesh is not here", "CC0-1.0",
-          "Blind to:", "linear falloff is approximated", "command line", "A/A 1.0000",
-          "reference floor 0.00400 rmse"}) {
+    for (const char* part : {"complete: 2 rounds", "hemisphere_ssao:samples=64", "software",
+                             "llvmpipe", "timestamp_finish", "[2.4902, 2.5098] (n=6)",
+                             "&lt; 0.00400", "Not beaten in both time and error", "under 50 ticks",
+                             "input/motion", "time_elapsed", "refused", "its mesh is not here",
+                             "CC0-1.0", "Blind to:", "linear falloff is approximated",
+                             "command line", "A/A 1.0000", "reference floor 0.00400 rmse"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
     EXPECT_EQ(count(page, "not kept"), 2u * 3u * 4u * 5u); // no picture was written
@@ -106,7 +105,8 @@ TEST(HtmlReport, PicturesAreRelativeToThePage) {
     const std::string elsewhere =
         write_page(run, {.in_progress = false, .provisional = {}, .out = folder.path() / "pages"});
     EXPECT_GT(count(elsewhere, "src=\"../run%201/images/r0-balls/tssao/0006_error.png\""), 0u);
-    EXPECT_EQ(count(elsewhere, "<td class=\"absent\">not kept"), 3u * 3u); // tssao's own three kinds in the second round
+    EXPECT_EQ(count(elsewhere, "<td class=\"absent\">not kept"),
+              3u * 3u); // tssao's own three kinds in the second round
 }
 
 } // namespace

@@ -113,6 +113,7 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         contains(error("\"repeats\": 6", "\"repeats\": -6"), "repeats: wrong type or range"));
     EXPECT_TRUE(contains(error("\"repeats\": 6", "\"repeats\": 6000000000"),
                          "repeats: wrong type or range"));
+    EXPECT_TRUE(contains(error("\"repeats\": 6", "\"repeats\": 2000000000"), "repeats: too many"));
     EXPECT_TRUE(contains(error("\"id\": \"tssao\"", "\"id\": \"../x\""),
                          "rounds[0].cells[5].id: not a safe folder name: found `../x`"));
     EXPECT_TRUE(contains(error("\"id\": \"tssao\"", "\"id\": \"none\""), "stands twice"));
@@ -147,6 +148,18 @@ TEST(RecordCsv, RowsRoundTrip) {
     EXPECT_EQ(metric.debiased, 0.1 + 0.2);
     EXPECT_EQ(metric.state, SampleState::converged);
     EXPECT_EQ(metric.note, "equal, \"infinite\"");
+}
+
+TEST(RecordCsv, WhatIsNotFiniteIsNoValue) {
+    const PlanRecord plan = synthetic::make_plan({});
+    const RoundRecord& round = plan.rounds[0];
+    MetricRow row{round.id, "tssao", 0, 0, SampleState::cold, "psnr", 1.0, {}, {}, "equal", ""};
+    const std::string finite = make_metrics_csv({row});
+    row.value = std::numeric_limits<double>::infinity();
+    EXPECT_FALSE(parse_metrics_csv(make_metrics_csv({row}), "m", round).at(0).value);
+    const std::string text = replaced(finite, "psnr,1,", "psnr,inf,");
+    EXPECT_TRUE(contains(error_of([&] { static_cast<void>(parse_metrics_csv(text, "m", round)); }),
+                         "m:2: column value: not finite"));
 }
 
 TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
