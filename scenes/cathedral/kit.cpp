@@ -89,10 +89,10 @@ Mesh make_lathe(std::string name, const glm::vec3& albedo, const Contour& profil
 Contour smooth_profile(const Contour& points, int steps) {
     Contour curve;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const glm::dvec2 before = points[i == 0 ? 0 : i - 1];
-        const glm::dvec2 a = points[i];
-        const glm::dvec2 b = points[i + 1];
-        const glm::dvec2 after = points[std::min(i + 2, points.size() - 1)];
+        const glm::dvec2& before = points[i == 0 ? 0 : i - 1];
+        const glm::dvec2& a = points[i];
+        const glm::dvec2& b = points[i + 1];
+        const glm::dvec2& after = points[std::min(i + 2, points.size() - 1)];
         for (int step = 0; step < steps; ++step) {
             // Catmull-Rom, uniform knots
             const double s = static_cast<double>(step) / steps;

@@ -26,6 +26,7 @@ Mesh make_nave_wall(Kit& kit) {
     constexpr double kEnd = kHalfLength + 0.3;
     Contour outline{{-kEnd, kArcadeSpring}};
     std::vector<Contour> windows;
+    windows.reserve(kBays);
     for (int bay = 0; bay < kBays; ++bay) {
         const Contour arch =
             make_arc({get_bay_x(bay), kArcadeSpring}, {kArcadeRadius, kArcadeRadius},
@@ -40,6 +41,7 @@ Mesh make_nave_wall(Kit& kit) {
 
 void add_outer_walls(Kit& kit) {
     std::vector<Contour> niches;
+    niches.reserve(kBays);
     for (int bay = 0; bay < kBays; ++bay) {
         niches.push_back(make_arched_opening(get_bay_x(bay), 0.75, 1.3, 4.0, kit.segments(16, 5)));
     }

@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMostVertices = std::size_t{64} * 1024 * 1024;
 constexpr std::size_t kMostObjects = 1'000'000;
 constexpr int kDeepestNode = 256;
-constexpr double kFarthest_m = 1e9;
+constexpr double kFarthestMetres = 1e9;
 constexpr int kFramesPerCamera = 60;
 constexpr int kOrbitFrames = 120;
 
@@ -238,9 +238,9 @@ class SceneReader {
             m_bounds.add(glm::dvec3(world * glm::dvec4(local, 1.0)));
         }
         const glm::dvec3 reach = glm::max(glm::abs(m_bounds.low), glm::abs(m_bounds.high));
-        if (!(std::max({reach.x, reach.y, reach.z}) <= kFarthest_m)) {
+        if (!(std::max({reach.x, reach.y, reach.z}) <= kFarthestMetres)) {
             throw InputError(where, "lies too far out", {},
-                             "coordinates of at most " + format_number(kFarthest_m) + " m");
+                             "coordinates of at most " + format_number(kFarthestMetres) + " m");
         }
     }
 

@@ -31,7 +31,7 @@ Face measure_face(const std::vector<glm::dvec3>& points,
     }
     face.normal = cross / length;
     for (std::size_t corner = 0; corner < 3; ++corner) {
-        const glm::dvec3 apex = points[triangle[corner]];
+        const glm::dvec3& apex = points[triangle[corner]];
         const glm::dvec3 u = glm::normalize(points[triangle[(corner + 1) % 3]] - apex);
         const glm::dvec3 v = glm::normalize(points[triangle[(corner + 2) % 3]] - apex);
         face.angles[corner] = std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));

@@ -139,8 +139,8 @@ void add_sweep(MeshBuilder& builder, const Contour& section, const std::vector<g
     ALCOVE_ASSERT(path.size() >= 2, "a path has two points");
     std::vector<Ring> rings;
     for (std::size_t i = 0; i < path.size(); ++i) {
-        const glm::dvec3 before = path[i == 0 ? 0 : i - 1];
-        const glm::dvec3 after = path[i + 1 == path.size() ? i : i + 1];
+        const glm::dvec3& before = path[i == 0 ? 0 : i - 1];
+        const glm::dvec3& after = path[i + 1 == path.size() ? i : i + 1];
         const glm::dvec3 tangent = glm::normalize(after - before);
         const glm::dvec3 normal = glm::cross(side, tangent);
         Ring ring;
