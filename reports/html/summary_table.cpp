@@ -129,13 +129,14 @@ std::string make_times(const CellAnalysis& cell, const SummaryColumns& columns) 
            make_estimate_cell(cell.converged_time_ms, columns.converged.mark(cell));
 }
 
+constexpr std::string_view kFrontBadge = " <span class=\"front\" title=\"No other method is both "
+                                         "faster and more accurate\">front</span>";
+
 std::string make_row(const CellAnalysis& cell, std::size_t index, const SummaryColumns& columns) {
-    std::string text = fmt::format(
-        "<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}{}</th>",
-        cell.cell.role == CellRole::method ? "method" : "anchor", make_label(cell, index),
-        cell.is_on_front ? "<span class=\"front\" title=\"No other method is both faster and more "
-                           "accurate\">front</span>"
-                         : "");
+    std::string text =
+        fmt::format("<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}</th>",
+                    cell.cell.role == CellRole::method ? "method" : "anchor",
+                    make_label(cell, index, cell.is_on_front ? kFrontBadge : std::string_view()));
     text += make_times(cell, columns);
     text += make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "");
     text += make_estimate_cell(cell.total_ms, columns.total.mark(cell));
@@ -163,7 +164,7 @@ std::string get_series_class(const CellAnalysis& cell, std::size_t index) {
                                                            : std::string("anchor"));
 }
 
-std::string make_label(const CellAnalysis& cell, std::size_t index) {
+std::string make_label(const CellAnalysis& cell, std::size_t index, std::string_view badge) {
     std::string label;
     for (const char c : cell.cell.label) {
         label += escape_html(std::string_view(&c, 1));
@@ -172,8 +173,8 @@ std::string make_label(const CellAnalysis& cell, std::size_t index) {
         }
     }
     return fmt::format(
-        "<span class=\"cell-label\"><span class=\"swatch {}\"></span><span>{}</span></span>",
-        get_series_class(cell, index), label);
+        "<span class=\"cell-label\"><span class=\"swatch {}\"></span><span>{}{}</span></span>",
+        get_series_class(cell, index), label, badge);
 }
 
 std::string make_summary_table(const RunAnalysis& analysis, const RoundAnalysis& round) {

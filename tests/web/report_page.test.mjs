@@ -154,7 +154,7 @@ const tests = {
   async "a click on a head sorts, the third gives back the order"(browser, folder) {
     const { page, close } = await openReport(browser, folder, "complete");
     const table = page.locator("#round-r0-balls table.summary");
-    const names = async () => (await table.locator("tbody th").allTextContents()).map((name) => name.replace("front", ""));
+    const names = async () => (await table.locator("tbody th").allTextContents()).map((name) => name.replace("front", "").trim());
     const original = await names();
     const head = table.locator("thead th", { hasText: "Time" });
     await head.click();
