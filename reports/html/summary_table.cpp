@@ -4,6 +4,7 @@
 
 #include "core/base/text.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include <fmt/core.h>
@@ -78,9 +79,20 @@ std::vector<MetricColumns> make_metric_columns(const RunAnalysis& analysis,
         columns.push_back({name, Best(round, lower, getter(SampleState::cold)),
                            Best(round, lower, getter(SampleState::converged))});
     }
+    std::stable_partition(columns.begin(), columns.end(), [&](const MetricColumns& column) {
+        return column.name == round.front_metric;
+    });
     return columns;
 }
 
+std::string make_metric_head(const RunAnalysis& analysis, const std::string& metric) {
+    const MetricDescription* description = analysis.find_metric(metric);
+    const bool lower = description == nullptr || description->lower_is_better;
+    return fmt::format("<th colspan=\"2\" class=\"group\">{}<small>{} is better</small></th>",
+                       escape_html(metric), lower ? "lower" : "higher");
+}
+
+/// The metric of the front stands beside the time, the others behind the milliseconds.
 std::string make_head(const RunAnalysis& analysis, const std::vector<MetricColumns>& metrics) {
     const std::string device = escape_html(analysis.context.device_class);
     const auto time = [&](const char* title, const char* help) {
@@ -88,23 +100,22 @@ std::string make_head(const RunAnalysis& analysis, const std::vector<MetricColum
             "<th rowspan=\"2\" data-sort title=\"{}\">{}<small>ms <em>{}</em></small></th>", help,
             title, device);
     };
+    const std::string times =
+        time("AO", "Its own passes as one piece, cold") +
+        time("AO converged", "The same after warming up; equal where there is no history") +
+        time("Input", "What it asks of the G-buffer beyond the base") +
+        time("Frame", "Base G-buffer, input, AO and composition");
     std::string text =
-        "<thead><tr><th rowspan=\"2\" class=\"name\">Method</th>"
-        "<th rowspan=\"2\" data-sort title=\"Envelope over the anchor's on the same frames\">"
-        "Time<small>&times; anchor</small></th>";
-    text += time("AO", "Its own passes as one piece, cold");
-    text += time("AO converged", "The same after warming up; equal where there is no history");
-    text += time("Input", "What it asks of the G-buffer beyond the base");
-    text += time("Frame", "Base G-buffer, input, AO and composition");
+        "<thead><tr><th rowspan=\"2\" class=\"name\">Method</th><th rowspan=\"2\" data-sort "
+        "title=\"Envelope over the anchor's on the same frames\">Time<small>&times; "
+        "anchor</small></th>";
     std::string second;
-    for (const MetricColumns& metric : metrics) {
-        const MetricDescription* description = analysis.find_metric(metric.name);
-        const bool lower = description == nullptr || description->lower_is_better;
-        text += fmt::format("<th colspan=\"2\" class=\"group\">{}<small>{} is better</small></th>",
-                            escape_html(metric.name), lower ? "lower" : "higher");
+    for (std::size_t i = 0; i < metrics.size(); ++i) {
+        text += make_metric_head(analysis, metrics[i].name) + (i == 0 ? times : "");
         second += "<th data-sort class=\"first\">cold<small>n frames</small></th>"
                   "<th data-sort>converged<small>n frames</small></th>";
     }
+    text += metrics.empty() ? times : "";
     return text + "</tr><tr>" + second + "</tr></thead>\n";
 }
 
@@ -117,16 +128,23 @@ struct SummaryColumns {
     std::vector<MetricColumns> metrics;
 };
 
-std::string make_times(const CellAnalysis& cell, const SummaryColumns& columns) {
-    if (!cell.cell.has_passes) {
-        constexpr const char* kZero = "<td data-value=\"0\"><b>0</b><small>no passes</small></td>";
-        return "<td class=\"absent\">&ndash;</td>" + std::string(kZero) + kZero;
+std::string make_ratio_cell(const CellAnalysis& cell, const SummaryColumns& columns) {
+    if (cell.cell.role == CellRole::anchor) {
+        return "<td data-value=\"1\"><b>1</b><small>the unit</small></td>";
     }
-    return (cell.cell.role == CellRole::anchor
-                ? std::string("<td data-value=\"1\"><b>1</b><small>the unit</small></td>")
-                : make_estimate_cell(cell.ratio, columns.ratio.mark(cell))) +
-           make_estimate_cell(cell.time_ms, columns.time.mark(cell)) +
-           make_estimate_cell(cell.converged_time_ms, columns.converged.mark(cell));
+    return make_estimate_cell(cell.ratio, columns.ratio.mark(cell));
+}
+
+std::string make_time_cells(const CellAnalysis& cell, const SummaryColumns& columns) {
+    const std::string rest =
+        make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "") +
+        make_estimate_cell(cell.total_ms, columns.total.mark(cell));
+    if (!cell.cell.has_passes) {
+        const std::string zero = "<td data-value=\"0\"><b>0</b><small>no passes</small></td>";
+        return zero + zero + rest;
+    }
+    return make_estimate_cell(cell.time_ms, columns.time.mark(cell)) +
+           make_estimate_cell(cell.converged_time_ms, columns.converged.mark(cell)) + rest;
 }
 
 constexpr std::string_view kFrontBadge = " <span class=\"front\" title=\"No other method is both "
@@ -137,14 +155,16 @@ std::string make_row(const CellAnalysis& cell, std::size_t index, const SummaryC
         fmt::format("<tr class=\"{}\"><th scope=\"row\" class=\"name\">{}</th>",
                     cell.cell.role == CellRole::method ? "method" : "anchor",
                     make_label(cell, index, cell.is_on_front ? kFrontBadge : std::string_view()));
-    text += make_times(cell, columns);
-    text += make_estimate_cell(cell.input_ms, cell.has_cached_input ? "cached" : "");
-    text += make_estimate_cell(cell.total_ms, columns.total.mark(cell));
-    for (const MetricColumns& metric : columns.metrics) {
+    text += make_ratio_cell(cell, columns);
+    const std::string times = make_time_cells(cell, columns);
+    for (std::size_t i = 0; i < columns.metrics.size(); ++i) {
+        const MetricColumns& metric = columns.metrics[i];
         text += make_error_cell(cell, SampleState::cold, metric.name, metric.cold.mark(cell));
         text +=
             make_error_cell(cell, SampleState::converged, metric.name, metric.converged.mark(cell));
+        text += i == 0 ? times : "";
     }
+    text += columns.metrics.empty() ? times : "";
     return text + "</tr>\n";
 }
 
