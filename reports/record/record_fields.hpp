@@ -1,0 +1,155 @@
+#pragma once
+// The keys of the run folder's JSON files: one list a struct, read and written through the same
+// function. For record_json.cpp alone.
+
+#include "reports/record/record.hpp"
+
+namespace alcove::record_fields {
+
+/// RoundDone is the one file without a version of its own in its struct.
+struct DoneFile {
+    int schema_version = kRunSchemaVersion;
+    RoundDone done;
+};
+
+template <class V>
+void visit(V& v, SegmentRecord& r) {
+    v("begin", r.begin);
+    v("end", r.end);
+}
+
+template <class V>
+void visit(V& v, ParameterRecord& r) {
+    v("name", r.name);
+    v("value", r.value);
+    v("unit", r.unit);
+    v("symbol", r.symbol);
+    v("provenance", r.provenance);
+}
+
+template <class V>
+void visit(V& v, CellRecord& r) {
+    v("id", r.id);
+    v("label", r.label);
+    v("method", r.method);
+    v("preset", r.preset);
+    v("role", r.role);
+    v("has_passes", r.has_passes);
+    v("parameters", r.parameters);
+    v("target", r.target);
+    v("target_note", r.target_note);
+    v("warm_frames", r.warm_frames);
+    v("effects", r.effects);
+}
+
+template <class V>
+void visit(V& v, RoundRecord& r) {
+    v("id", r.id);
+    v("scene", r.scene);
+    v("walkthrough", r.walkthrough);
+    v("target", r.target);
+    v("width", r.width);
+    v("height", r.height);
+    v("precision", r.precision);
+    v("segments", r.segments);
+    v("image_frames", r.image_frames);
+    v("cells", r.cells);
+    v("scene_vertices", r.scene_vertices);
+    v("scene_triangles", r.scene_triangles);
+    v("ao_radius_m", r.ao_radius_m);
+}
+
+template <class V>
+void visit(V& v, MetricDescription& r) {
+    v("name", r.name);
+    v("title", r.title);
+    v("unit", r.unit);
+    v("definition", r.definition);
+    v("blind_to", r.blind_to);
+    v("domain", r.domain);
+    v("lower_is_better", r.lower_is_better);
+}
+
+template <class V>
+void visit(V& v, MethodDescription& r) {
+    v("name", r.name);
+    v("title", r.title);
+    v("citation", r.citation);
+    v("content_hash", r.content_hash);
+}
+
+template <class V>
+void visit(V& v, SceneDescription& r) {
+    v("name", r.name);
+    v("title", r.title);
+    v("stresses", r.stresses);
+    v("license", r.license);
+    v("content_hash", r.content_hash);
+}
+
+template <class V>
+void visit(V& v, SkippedScene& r) {
+    v("scene", r.scene);
+    v("reason", r.reason);
+}
+
+template <class V>
+void visit(V& v, PlanRecord& r) {
+    v("schema_version", r.schema_version);
+    v("experiment", r.experiment);
+    v("command_line", r.command_line);
+    v("repeats", r.repeats);
+    v("shuffle_seed", r.shuffle_seed);
+    v("reference_rays_per_half", r.reference_rays_per_half);
+    v("rounds", r.rounds);
+    v("skipped", r.skipped);
+    v("methods", r.methods);
+    v("metrics", r.metrics);
+    v("scenes", r.scenes);
+}
+
+template <class V>
+void visit(V& v, TimerTrialRecord& r) {
+    v("mode", r.mode);
+    v("sequence", r.sequence);
+    v("pass", r.pass);
+    v("attempt", r.attempt);
+    v("ratio", r.ratio);
+    v("accepted", r.accepted);
+}
+
+template <class V>
+void visit(V& v, ContextRecord& r) {
+    v("schema_version", r.schema_version);
+    v("started_utc", r.started_utc);
+    v("build_id", r.build_id);
+    v("build_type", r.build_type);
+    v("compiler", r.compiler);
+    v("device_class", r.device_class);
+    v("gl_vendor", r.gl_vendor);
+    v("gl_renderer", r.gl_renderer);
+    v("gl_version", r.gl_version);
+    v("context_kind", r.context_kind);
+    v("cpu", r.cpu);
+    v("cpu_features", r.cpu_features);
+    v("cpu_threads", r.cpu_threads);
+    v("driver_threads", r.driver_threads);
+    v("timer_mode", r.timer_mode);
+    v("timer_tick_ns", r.timer_tick_ns);
+    v("timer_trials", r.timer_trials);
+    v("anchor_version", r.anchor_version);
+}
+
+template <class V>
+void visit(V& v, DoneFile& r) {
+    v("schema_version", r.schema_version);
+    v("wall_s", r.done.wall_s);
+    v("gbuffer_s", r.done.gbuffer_s);
+    v("passes_s", r.done.passes_s);
+    v("metrics_s", r.done.metrics_s);
+    v("reference_s", r.done.reference_s);
+    v("images_s", r.done.images_s);
+    v("reference_cached", r.done.reference_cached);
+}
+
+} // namespace alcove::record_fields
