@@ -1,10 +1,10 @@
 #include "core/base/expression.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/text.hpp"
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <string>
 
 namespace alcove {
@@ -91,12 +91,14 @@ class Parser {
         const char first = peek();
         const std::size_t start = m_position;
         if (std::isdigit(static_cast<unsigned char>(first)) != 0 || first == '.') {
-            while (m_position < m_text.size() &&
-                   (std::isalnum(static_cast<unsigned char>(m_text[m_position])) != 0 ||
-                    m_text[m_position] == '.')) {
-                ++m_position;
+            double value = 0.0;
+            const auto [end, error] =
+                std::from_chars(m_text.data() + start, m_text.data() + m_text.size(), value);
+            if (error != std::errc{}) {
+                fail("a number");
             }
-            return parse_number(m_text.substr(start, m_position - start), "default expression");
+            m_position = static_cast<std::size_t>(end - m_text.data());
+            return value;
         }
         if (std::isalpha(static_cast<unsigned char>(first)) == 0) {
             fail("a number or a name");

@@ -20,7 +20,9 @@ class Registry {
     Registry(std::string room, std::vector<Unit> units)
         : m_room(std::move(room)), m_units(std::move(units)) {}
 
-    [[nodiscard]] std::span<const Unit> units() const noexcept { return m_units; }
+    [[nodiscard]] std::span<const Unit> units() const& noexcept { return m_units; }
+    /// A loop over a temporary registry's units would read freed memory.
+    std::span<const Unit> units() && = delete;
 
     /// Throws InputError with the nearest name if there is no such unit.
     [[nodiscard]] const Unit& find(std::string_view name) const {

@@ -154,16 +154,15 @@ void SceneRenderer::draw_objects(const Pipeline& pipeline, const FrameView& view
     }
 }
 
-void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const glm::dmat4& projection) const {
+void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const {
     const bool reversed = gbuffer.precision().reversed;
     m_gl.Disable(GL_DEPTH_TEST);
     m_rebuild.use();
     m_gl.BindTextureUnit(0, gbuffer.raster_depth().get());
-    // With z' = (P22 z + P32) / -z and z' = scale * depth + offset: eye = P32 / (z' + P22).
-    m_gl.Uniform2f(m_rebuild.location("depth_range"), reversed ? 1.0f : 2.0f,
-                   reversed ? 0.0f : -1.0f);
-    m_gl.Uniform2f(m_rebuild.location("projection_z"), static_cast<float>(projection[2][2]),
-                   static_cast<float>(projection[3][2]));
+    const auto at_near = static_cast<float>(1.0 / camera.near_m);
+    const auto at_far = static_cast<float>(1.0 / camera.far_m);
+    m_gl.Uniform2f(m_rebuild.location("inverse_ends"), reversed ? at_far : at_near,
+                   reversed ? at_near : at_far);
     m_gl.Uniform1f(m_rebuild.location("background_depth"), reversed ? 0.0f : 1.0f);
     m_rebuild.draw(gbuffer.rebuild_framebuffer(), gbuffer.size());
 }
@@ -185,7 +184,7 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
     draw_objects(pipeline, view);
     m_gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (gbuffer.rebuild_framebuffer() != 0) {
-        rebuild_eye_depth(gbuffer, projection);
+        rebuild_eye_depth(gbuffer, view.camera);
     }
     m_gl.Disable(GL_DEPTH_TEST);
 }

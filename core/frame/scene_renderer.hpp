@@ -43,7 +43,7 @@ class SceneRenderer {
     void clear(const GBuffer& gbuffer) const;
     void set_lights(const Pipeline& pipeline, const Camera& camera) const;
     void draw_objects(const Pipeline& pipeline, const FrameView& view) const;
-    void rebuild_eye_depth(const GBuffer& gbuffer, const glm::dmat4& projection) const;
+    void rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const;
 
     const gl::Functions& m_gl;
     const Scene& m_scene;

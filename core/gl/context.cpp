@@ -30,9 +30,10 @@ ContextKind parse_context_kind(std::string_view text) {
     return static_cast<ContextKind>(found - names.begin());
 }
 
-void Context::collect_message(GLenum /*source*/, GLenum type, GLuint /*id*/, GLenum /*severity*/,
+void Context::collect_message(GLenum source, GLenum type, GLuint /*id*/, GLenum /*severity*/,
                               GLsizei /*length*/, const GLchar* message, const void* user) {
-    if (type == GL_DEBUG_TYPE_ERROR) {
+    // What the shader compiler has to say is thrown by build_program, with the files' names.
+    if (type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER) {
         const auto* context = static_cast<const Context*>(user);
         const_cast<Context*>(context)->m_errors.emplace_back(message);
     }
