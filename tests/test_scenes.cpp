@@ -124,6 +124,8 @@ TestScene make_box_scene(const glm::dvec3& origin) {
         make_box({0.1f, -0.1f, -0.6f}, {1.1f, 0.5f, 0.6f}),
         make_sphere({-0.6f, 0.45f, 0.9f}, 0.5f, 24),
         make_box({1.5f, -0.1f, 0.9f}, {1.56f, 1.5f, 0.96f}),
+        // Leaves the image on the left, so that kernels reach over the border.
+        make_box({-3.2f, -0.1f, -3.0f}, {-2.9f, 2.2f, 3.0f}),
     };
     const auto camera = [](const glm::dvec3& position) {
         return make_look_at_camera(position, {0.0, 0.5, 0.0}, {0.0, 1.0, 0.0},

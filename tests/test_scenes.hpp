@@ -44,7 +44,7 @@ class TestScene final : public Scene {
 [[nodiscard]] double intersect_test_plane(const glm::dvec3& eye, const glm::dvec3& direction,
                                           double tilt_radians);
 
-/// The canary: a floor, boxes in contact, a sphere and a thin post before open background; two frames with a moving
+/// The canary: a floor, boxes in contact, a sphere and a thin post before open background, a wall over the left border; two frames with a moving
 /// camera; moved as a whole by `origin`.
 [[nodiscard]] TestScene make_box_scene(const glm::dvec3& origin = glm::dvec3(0.0));
 

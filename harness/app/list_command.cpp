@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 struct ListFlags {
     std::string what;
     bool json = false;
+    bool markdown = false;
 };
 
 Json describe_parameters_json(const ParameterTable& table) {
@@ -127,8 +128,33 @@ void print_parameters(const Json& object) {
     }
 }
 
+/// The tables that stand between the marks of the units' READMEs.
+void print_markdown(const Units& units) {
+    const auto print = [](const ParameterTable& table) {
+        if (!table.entries().empty()) {
+            fmt::print("{}\n\n{}\n", table.owner(), make_markdown_table(table));
+        }
+    };
+    for (const MethodUnit& unit : units.methods.units()) {
+        print(unit.parameters);
+    }
+    for (const MetricUnit& unit : units.metrics.units()) {
+        print(unit.parameters);
+    }
+    for (const SceneUnit& unit : units.scenes.units()) {
+        print(unit.parameters);
+    }
+}
+
 int list(const ListFlags& flags) {
     const Units units = get_units();
+    if (flags.markdown) {
+        if (flags.what != "parameters") {
+            throw InputError("list --markdown", "only parameters have tables", flags.what);
+        }
+        print_markdown(units);
+        return 0;
+    }
     const std::vector<std::string> choices{"methods", "scenes", "metrics", "parameters", "effects"};
     Json result;
     if (flags.what == "methods") {
@@ -160,6 +186,7 @@ Action add_list_verb(CLI::App& app) {
     auto flags = std::make_shared<ListFlags>();
     app.add_option("what", flags->what, "methods, scenes, metrics or parameters")->required();
     app.add_flag("--json", flags->json, "as JSON");
+    app.add_flag("--markdown", flags->markdown, "parameters as the tables of the units' READMEs");
     return [flags] { return list(*flags); };
 }
 

@@ -17,5 +17,5 @@ void main() {
         vec2 uv = (gl_FragCoord.xy + vec2(kOffsets[i])) * pixel_size;
         open += textureLod(eye_depth_texture, uv, 0.0).r >= nearest ? 1.0 : 0.0;
     }
-    visibility = open * (1.0 / 32.0);
+    visibility = isinf(nearest) ? 1.0 : open * (1.0 / 32.0);
 }

@@ -115,7 +115,8 @@ std::vector<ParameterOverride> make_overrides(
 
 /// Without bias a plane darkens where its depth changes within a pixel: that is what the paper's form does.
 std::vector<Preset> make_presets() {
-    const char* const kNoBias = "no depth bias, as published: a tilted plane blocks itself";
+    const char* const kNoBias =
+        "no depth bias, as published: a tilted plane blocks itself (3.5/255 at 60 degrees, 6.2/255 at 75)";
     return {
         {"default", "16 cosine samples, weak blur, bias of half a pixel footprint", {}, 1.0, 2.0, ""},
         {"strong_blur", "as default, blurred over edges with a wider kernel",
@@ -124,11 +125,11 @@ std::vector<Preset> make_presets() {
          "SSAO without history as Mattausch et al. 2010 compare with: 32 samples, high weight on discontinuities "
          "(kernel size not published, ours 5x5)",
          make_overrides({{"samples", "32"}, {"directions", "uniform"}, {"bias", "0"}, {"border", "clamp"},
-                         {"blur_radius", "2"}, {"blur_edge", "0.05"}}), 64.0, 128.0, kNoBias},
+                         {"blur_radius", "2"}, {"blur_edge", "0.05"}}), 4.0, 7.0, kNoBias},
         {"paper_strong_blur",
          "the same with low weight on discontinuities (kernel size not published, ours 9x9)",
          make_overrides({{"samples", "32"}, {"directions", "uniform"}, {"bias", "0"}, {"border", "clamp"},
-                         {"blur_radius", "4"}, {"blur_edge", "1"}}), 64.0, 128.0, kNoBias},
+                         {"blur_radius", "4"}, {"blur_edge", "1"}}), 4.0, 7.0, kNoBias},
         {"converged", "the estimator's own limit: 512 samples, no blur",
          make_overrides({{"samples", "512"}, {"blur_radius", "0"}}), 1.0, 2.0, ""},
     };
