@@ -3,13 +3,83 @@
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"
 
-#include <regex>
+#include <algorithm>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <vector>
 
 namespace alcove::gl {
 namespace {
+
+constexpr std::string_view kSpaces = " \t\r\f\v";
+constexpr std::string_view kDigits = "0123456789";
+
+/// The file that a line `#include "file"` names; nothing on any other line.
+std::optional<std::string> read_include(std::string_view line) {
+    constexpr std::string_view kDirective = "#include";
+    line.remove_prefix(std::min(line.find_first_not_of(kSpaces), line.size()));
+    if (!line.starts_with(kDirective)) {
+        return std::nullopt;
+    }
+    line.remove_prefix(kDirective.size());
+    const std::size_t open = line.find_first_not_of(kSpaces);
+    if (open == 0 || open == std::string_view::npos || line[open] != '"') {
+        return std::nullopt;
+    }
+    const std::size_t close = line.find('"', open + 1);
+    const bool is_whole = close != std::string_view::npos && close > open + 1 &&
+                          line.find_first_not_of(kSpaces, close + 1) == std::string_view::npos;
+    return is_whole ? std::optional(std::string(line.substr(open + 1, close - open - 1)))
+                    : std::nullopt;
+}
+
+/// Removes the digits that `text` begins with and returns them.
+std::string take_number(std::string_view& text) {
+    const std::size_t end = std::min(text.find_first_not_of(kDigits), text.size());
+    const std::string number(text.substr(0, end));
+    text.remove_prefix(end);
+    return number;
+}
+
+/// Removes "(number)" and returns the number; nothing, and nothing removed, if that is not there.
+std::string take_number_in_parentheses(std::string_view& text) {
+    std::string_view rest = text;
+    if (!rest.starts_with('(')) {
+        return {};
+    }
+    rest.remove_prefix(1);
+    std::string number = take_number(rest);
+    if (number.empty() || !rest.starts_with(')')) {
+        return {};
+    }
+    rest.remove_prefix(1);
+    text = rest;
+    return number;
+}
+
+/// Where a driver's message points: Mesa "0:12(5): error: ...", NVIDIA "0(12) : error C1: ...".
+struct Place {
+    std::string source;
+    std::string line;
+    std::string_view rest;
+};
+
+std::optional<Place> read_place(std::string_view message) {
+    Place place{take_number(message), {}, {}};
+    if (place.source.empty()) {
+        return std::nullopt;
+    }
+    if (message.starts_with(':')) {
+        message.remove_prefix(1);
+        place.line = take_number(message);
+        static_cast<void>(take_number_in_parentheses(message)); // the column
+    } else {
+        place.line = take_number_in_parentheses(message);
+    }
+    place.rest = message;
+    return place.line.empty() ? std::nullopt : std::optional(place);
+}
 
 class Expander {
   public:
@@ -32,14 +102,12 @@ class Expander {
         const auto generated = m_generated.find(file);
         const std::string text(generated != m_generated.end() ? std::string_view(generated->second)
                                                               : m_library.find(file));
-        static const std::regex kInclude(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
         std::istringstream lines(text);
         std::string line;
         m_source.text += "#line 1 " + std::to_string(index) + "\n";
         for (int number = 1; std::getline(lines, line); ++number) {
-            std::smatch match;
-            if (std::regex_match(line, match, kInclude)) {
-                insert(match[1], file + ":" + std::to_string(number));
+            if (const std::optional<std::string> included = read_include(line)) {
+                insert(*included, file + ":" + std::to_string(number));
                 m_source.text +=
                     "#line " + std::to_string(number + 1) + " " + std::to_string(index) + "\n";
             } else {
@@ -125,21 +193,18 @@ ExpandedSource expand_includes(const ShaderLibrary& library, const std::string& 
 }
 
 std::string name_places(std::string_view log, const ExpandedSource& source) {
-    // Mesa: "0:12(5): error: ..."; NVIDIA: "0(12) : error C1: ...".
-    static const std::regex kPlace(R"re(^(\d+)(?::(\d+)(?:\((\d+)\))?|\((\d+)\)))re");
     std::istringstream lines{std::string(log)};
     std::string line;
     std::string text;
     while (std::getline(lines, line)) {
-        std::smatch match;
-        if (std::regex_search(line, match, kPlace)) {
-            const auto index = static_cast<std::size_t>(std::stoul(match[1]));
+        if (const std::optional<Place> place = read_place(line)) {
+            const std::size_t index = place->source.size() < 10 ? std::stoul(place->source)
+                                                                : source.files.size();
             if (index < source.files.size()) {
                 const ExpandedSource::File& file = source.files[index];
-                const std::string number = match[2].matched ? match[2] : match[4];
                 const std::string included =
                     file.included_from.empty() ? "" : " (included from " + file.included_from + ")";
-                line = file.name + ":" + number + included + match.suffix().str();
+                line = file.name + ":" + place->line + included + std::string(place->rest);
             }
         }
         text += line + "\n";

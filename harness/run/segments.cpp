@@ -12,6 +12,9 @@ constexpr int kBurst = 16;
 constexpr int kSingles = 8;
 
 void add_singles(int frame_count, std::vector<SegmentRecord>& segments) {
+    if (frame_count == 1) {
+        return; // the burst is that single
+    }
     int last = -1;
     for (int k = 0; k < kSingles; ++k) {
         // floor((k + 0.5) N / 8) in integers

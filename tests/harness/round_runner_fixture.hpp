@@ -1,0 +1,44 @@
+#pragma once
+// A tiny round over the template scene, with a cut inside its burst and a method that counts.
+
+#include "harness/run/round_runner.hpp"
+#include "tests/core/gl/test_context.hpp"
+#include "tests/harness/history_method.hpp"
+#include "tests/harness/temporary_folder.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace alcove {
+
+/// Frame 2 is a cut; frames 0 to 3 are a burst, 10, 20 and 30 singles.
+inline constexpr int kCutFrame = 2;
+inline constexpr int kRoundFrames = 7;
+
+class RoundRunnerTest : public GlTest {
+  protected:
+    RoundRunnerTest();
+
+    /// Plans and runs one round. The log is that of this run alone.
+    void run(const std::vector<std::string>& methods, int repeats = 2, std::uint64_t seed = 1,
+             const RoundEvents& events = {});
+
+    [[nodiscard]] const RoundRecord& round() const { return m_plan.rounds.at(0); }
+    /// The i-th method's cell, behind the two anchors.
+    [[nodiscard]] const CellRecord& cell(std::size_t method) const {
+        return round().cells.at(2 + method);
+    }
+    [[nodiscard]] std::vector<SampleRow> find_samples(const std::string& cell_id,
+                                                      SampleState state) const;
+    [[nodiscard]] const std::vector<HistoryEntry>& log() const { return m_log->entries; }
+
+    TemporaryFolder m_folder;
+    ScopedVariable m_cache;
+    std::shared_ptr<HistoryLog> m_log;
+    std::unique_ptr<Scene> m_scene;
+    PlanRecord m_plan;
+    RoundResult m_result;
+};
+
+} // namespace alcove
