@@ -87,7 +87,7 @@ class Validator {
             if (trial.accepted) {
                 return true;
             }
-            if (is_hopeless(trial) && !m_options.exhaustive) {
+            if (is_hopeless(trial)) {
                 return false;
             }
         }

@@ -64,8 +64,7 @@ struct TimerValidationOptions {
     int ratios = 9;                 ///< an attempt's pass ratio is the median of as many
     int attempts = 3;
     double tolerance = 0.05;
-    /// A first ratio of any pass off by more than this factor is no noise: the attempts that are left are skipped, unless
-    /// exhaustive.
+    /// A ratio of any pass off by more than this factor is no noise: the attempts that are left are skipped.
     double hopeless_factor = 2.0;
 };
 

@@ -179,7 +179,11 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
         complete.methods = make_default_methods();
     }
     ScenePlanner planner(complete, units, record);
-    for (const std::string& name : choose_scenes(complete, units)) {
+    for (std::string name : choose_scenes(complete, units)) {
+        if (is_scene_file(name)) {
+            // A run may be continued from another folder.
+            name = std::filesystem::absolute(name).lexically_normal().string();
+        }
         if (!is_scene_file(name)) {
             const SceneUnit& unit = units.scenes.find(name);
             if (const std::optional<std::string> obstacle = unit.find_obstacle()) {

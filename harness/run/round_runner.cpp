@@ -312,6 +312,8 @@ void RoundRunner::capture_frame(const Frame& frame, SampleState state) {
     TraceSettings settings;
     settings.target = m_target;
     settings.rays_per_half = m_plan.reference_rays_per_half;
+    // Noise that stood still on the screen would cancel in differences over time.
+    settings.seed = static_cast<std::uint32_t>(frame.view.index);
     ReferencePair reference;
     {
         const WallTime wall(m_result.done.reference_s);
