@@ -12,7 +12,7 @@ std::uint32_t reverse_bits(std::uint32_t x) {
 }
 
 /// Each bit is flipped depending on the bits below it only: an Owen scramble of the reversed word.
-/// Constants from Burley 2020 (his improved set).
+/// Constants: Vegdahl. Building a better LK hash. 2021.
 std::uint32_t permute(std::uint32_t x, std::uint32_t seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
@@ -38,18 +38,23 @@ std::uint32_t compute_second_dimension(std::uint32_t index) {
     return result;
 }
 
-float to_unit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
-
-} // namespace
-
-std::uint32_t hash_words(std::uint32_t a, std::uint32_t b) {
-    // Finaliser of MurmurHash3 (Appleby, public domain) over a mix of both words.
-    std::uint32_t h = a * 0x9e3779b9u ^ (b + 0x7f4a7c15u + (a << 6) + (a >> 2));
+/// Finaliser of MurmurHash3 (Appleby, public domain).
+std::uint32_t finalise(std::uint32_t h) {
     h ^= h >> 16;
     h *= 0x85ebca6bu;
     h ^= h >> 13;
     h *= 0xc2b2ae35u;
     return h ^ (h >> 16);
+}
+
+float to_unit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
+
+} // namespace
+
+std::uint32_t hash_words(std::uint32_t a, std::uint32_t b) {
+    // Each word goes through the finaliser of its own: mixed before one finaliser, words that differ in one bit gave both
+    // dimensions of a point scrambles that depended on each other.
+    return finalise(finalise(a + 0x9e3779b9u) + b * 0x85ebca77u + 0x165667b1u);
 }
 
 glm::vec2 compute_scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
