@@ -1,0 +1,104 @@
+// DESIGN 3.10: EXR and PNG of the same visibility images give the same numbers up to the PNG's
+// quantisation.
+#include "core/base/image_file.hpp"
+#include "metrics/registry.hpp"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace alcove {
+namespace {
+
+namespace fs = std::filesystem;
+
+class FileDomainTest : public testing::Test {
+  protected:
+    FileDomainTest() {
+        std::string name = (fs::temp_directory_path() / "alcove-domain-XXXXXX").string();
+        m_folder = ::mkdtemp(name.data());
+    }
+    ~FileDomainTest() override { fs::remove_all(m_folder); }
+
+    /// A metric over two visibility images that went through files: EXR as linear visibility, PNG
+    /// as sRGB codes of it.
+    double evaluate(const std::string& name, const Image& test, const Image& reference,
+                    bool as_png) {
+        const auto store = [&](const Image& image, const char* file) {
+            const fs::path path = m_folder / (std::string(file) + (as_png ? ".png" : ".exr"));
+            if (as_png) {
+                write_png(path, encode_view(image), Domain::view);
+            } else {
+                write_exr(path, image, Domain::visibility);
+            }
+            return read_image_file(path);
+        };
+        const ImageFile first = store(test, "test");
+        const ImageFile second = store(reference, "reference");
+        EXPECT_EQ(first.domain, as_png ? Domain::view : Domain::visibility);
+        EXPECT_EQ(first.domain, second.domain);
+        const Registry<MetricUnit> registry = metrics_registry();
+        const MetricUnit& unit = registry.find(name);
+        const auto metric = unit.create(unit.parameters.resolve({}, {}));
+        return evaluate_in_domain(unit, *metric, {first.image, second.image}, first.domain)
+            .value.value();
+    }
+
+  private:
+    fs::path m_folder;
+};
+
+Image make_visibility(float phase, float depth) {
+    Image image({64, 48}, 1);
+    for (int y = 0; y < 48; ++y) {
+        for (int x = 0; x < 64; ++x) {
+            const float wave = std::sin(0.21f * static_cast<float>(x) + phase) *
+                               std::cos(0.17f * static_cast<float>(y));
+            image.at(x, y) = 1.0f - depth * (0.5f + 0.5f * wave);
+        }
+    }
+    return image;
+}
+
+/// Largest error of linear visibility stored as an 8-bit sRGB code: half a step times the steepest
+/// slope of the decoding curve, 2.4 / 1.055 at white.
+const double kQuantisation = 0.5 / 255.0 * 2.4 / 1.055;
+
+TEST_F(FileDomainTest, NumericMetricsAgreeWithinQuantisation) {
+    const Image test = make_visibility(0.0f, 0.8f);
+    const Image reference = make_visibility(0.4f, 0.7f);
+    const double exr_rmse = evaluate("rmse", test, reference, false);
+    const double png_rmse = evaluate("rmse", test, reference, true);
+    // Each image is off by at most the quantisation a pixel, so rmse, a norm, by twice that; mse =
+    // rmse^2 and psnr = -20 log10(rmse) follow.
+    const double bound = 2.0 * kQuantisation;
+    ASSERT_GT(exr_rmse, 5.0 * bound);
+    EXPECT_NEAR(png_rmse, exr_rmse, bound);
+    EXPECT_NEAR(evaluate("mse", test, reference, true), evaluate("mse", test, reference, false),
+                bound * (2.0 * exr_rmse + bound));
+    EXPECT_NEAR(evaluate("psnr", test, reference, true), evaluate("psnr", test, reference, false),
+                -20.0 * std::log10(1.0 - bound / exr_rmse));
+    // Rounding errors are independent of the images: what is seen is ten times less than the bound.
+    EXPECT_NEAR(png_rmse, exr_rmse, 0.1 * bound);
+    // Codes taken for visibility would be off by far more.
+    EXPECT_GT(
+        std::abs(evaluate("rmse", encode_view(test), encode_view(reference), false) - exr_rmse),
+        bound);
+}
+
+TEST_F(FileDomainTest, SsimAgreesWithinQuantisation) {
+    const Image test = make_visibility(0.0f, 0.8f);
+    const Image reference = make_visibility(0.4f, 0.7f);
+    const double exr = evaluate("ssim", test, reference, false);
+    const double png = evaluate("ssim", test, reference, true);
+    ASSERT_LT(exr, 0.95);
+    // Rounding to codes adds a variance of (1/255)^2 / 12 = 1.3e-6 to each image. In the second
+    // factor that stands beside C2 = 9e-4 or more: 2 x 1.3e-6 / 9e-4 = 0.003 at most; means move by
+    // less.
+    EXPECT_NEAR(png, exr, 0.003);
+}
+
+} // namespace
+} // namespace alcove
