@@ -155,6 +155,19 @@ TEST(RayTracerRules, TheFarPlaneClipsCameraRaysOnly) {
     EXPECT_GE(equal_and_blocked, 2);
 }
 
+TEST(RayTracerRules, ALidAMillimetreAwayBlocksEverything) {
+    // No ray starts beyond it. The near plane lets the camera see below the lid. Open are
+    // directions with a cosine under 0.001 / 0.5: 4e-6 of the hemisphere.
+    const TestScene scene = make_scene(
+        {make_facing_square(20.0f, -5.0f, true), make_facing_square(20.0f, -4.999f, true)});
+    for (const Falloff falloff : {Falloff::none, Falloff::linear}) {
+        const Image image = compute_mean(trace(scene, make_forward_camera(4.9995, 1000.0),
+                                               make_settings(0.5, falloff, Normals::geometric)));
+        // Linear falloff leaves mean(d / r) = 2 x 0.001 / 0.5.
+        EXPECT_LT(compute_average(image), falloff == Falloff::none ? 1e-4 : 0.0045);
+    }
+}
+
 TEST(RayTracerRules, BothSidesOfASurfaceBlockAndReceive) {
     // A half plane's edge 0.2 m before a wall; turning either surface over changes nothing but the
     // rounding of hits on the edges between triangles: under one ray in a thousand.

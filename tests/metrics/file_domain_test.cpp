@@ -2,6 +2,7 @@
 // quantisation.
 #include "core/base/image_file.hpp"
 #include "metrics/registry.hpp"
+#include "metrics/ssim/ssim.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -94,6 +95,10 @@ TEST_F(FileDomainTest, SsimAgreesWithinQuantisation) {
     const double exr = evaluate("ssim", test, reference, false);
     const double png = evaluate("ssim", test, reference, true);
     ASSERT_LT(exr, 0.95);
+    // What is compared is the view: the same as on images that are sRGB-encoded beforehand.
+    const MetricUnit unit = ssim_unit();
+    const auto metric = unit.create(unit.parameters.resolve({}, {}));
+    EXPECT_EQ(exr, metric->evaluate({encode_view(test), encode_view(reference)}).value.value());
     // Rounding to codes adds a variance of (1/255)^2 / 12 = 1.3e-6 to each image. In the second
     // factor that stands beside C2 = 9e-4 or more: 2 x 1.3e-6 / 9e-4 = 0.003 at most; means move by
     // less.
