@@ -1,12 +1,14 @@
 #include "core/base/image_file.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string>
-#include <system_error>
+#include <vector>
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 namespace alcove {
@@ -16,31 +18,35 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kLargestImage = 1ull << 28; // values: 1 GiB of floats
 
+/// What OpenImageIO says may have several lines; an error is one message.
+std::string join_lines(std::string text) {
+    while (text.ends_with('\n')) {
+        text.pop_back();
+    }
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) {
+        text.replace(at, 1, "; ");
+    }
+    return text;
+}
+
 void write_image(const fs::path& path, const Image& image, OIIO::ImageSpec spec, Domain domain) {
     spec.attribute("alcove:domain", std::string(to_text(domain)));
-    // OpenImageIO chooses the format by the name's end, so the temporary name keeps it.
-    const fs::path temporary = path.parent_path() / (".tmp-" + path.filename().string());
-    std::error_code ignored;
-    if (path.has_parent_path()) {
-        fs::create_directories(path.parent_path(), ignored);
-    }
-    const auto output = OIIO::ImageOutput::create(temporary.string());
+    // Encoded in memory: the PNG writer does not notice a disk that is full.
+    std::vector<unsigned char> bytes;
+    OIIO::Filesystem::IOVecOutput memory(bytes);
+    const auto output = OIIO::ImageOutput::create(path.string(), &memory);
     if (!output) {
-        throw FailureError(path.string(), "no writer for this kind of image: " + OIIO::geterror());
+        throw FailureError(path.string(),
+                           "no writer for this kind of image: " + join_lines(OIIO::geterror()));
     }
-    const bool written = output->open(temporary.string(), spec) &&
+    const bool encoded = output->open(path.string(), spec) &&
                          output->write_image(OIIO::TypeDesc::FLOAT, image.values().data()) &&
                          output->close();
-    if (!written) {
-        const std::string reason = output->geterror();
-        fs::remove(temporary, ignored);
-        throw FailureError(path.string(), "cannot write the image: " + reason);
+    if (!encoded) {
+        throw FailureError(path.string(),
+                           "cannot encode the image: " + join_lines(output->geterror()));
     }
-    std::error_code error;
-    fs::rename(temporary, path, error);
-    if (error) {
-        throw FailureError(path.string(), "cannot rename into place: " + error.message());
-    }
+    write_file_atomically(path, std::string(bytes.begin(), bytes.end()));
 }
 
 } // namespace
@@ -51,7 +57,7 @@ ImageFile read_image_file(const fs::path& path, std::optional<Domain> domain) {
     }
     const auto input = OIIO::ImageInput::open(path.string());
     if (!input) {
-        throw InputError(path.string(), "not a readable image: " + OIIO::geterror());
+        throw InputError(path.string(), "not a readable image: " + join_lines(OIIO::geterror()));
     }
     const OIIO::ImageSpec& spec = input->spec();
     if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.depth > 1 ||
@@ -77,7 +83,7 @@ ImageFile read_image_file(const fs::path& path, std::optional<Domain> domain) {
     }
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
                            file.image.values().data())) {
-        throw InputError(path.string(), "image data cannot be read: " + input->geterror());
+        throw InputError(path.string(), "image data cannot be read: " + join_lines(input->geterror()));
     }
     return file;
 }

@@ -136,15 +136,34 @@ int run_self_test(const std::vector<const MetricUnit*>& metrics) {
     return 0;
 }
 
+/// A file's colour, proved to be finite: errors name the file, which a metric does not know.
+ImageFile read_finite_image(const fs::path& path, std::optional<Domain> domain) {
+    ImageFile file = read_image_file(path, domain);
+    file.image = drop_alpha(file.image);
+    PixelPosition position;
+    if (find_non_finite(file.image, position)) {
+        throw InputError(path.string(), fmt::format("NaN or infinity at pixel ({}, {}), channel {}",
+                                                    position.x, position.y, position.channel));
+    }
+    return file;
+}
+
+std::string describe_shape(const Image& image) {
+    return fmt::format("{}x{} with {} channels", image.width(), image.height(), image.channels());
+}
+
 void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
                    const std::vector<const MetricUnit*>& metrics,
                    std::map<std::string, Score>& scores) {
     const std::optional<Domain> domain =
         flags.domain.empty() ? std::nullopt : std::optional(parse_domain(flags.domain));
-    const ImageFile test = read_image_file(pair.test, domain);
-    const ImageFile reference = read_image_file(pair.reference, domain);
-    const Image test_image = drop_alpha(test.image);
-    const Image reference_image = drop_alpha(reference.image);
+    const ImageFile test = read_finite_image(pair.test, domain);
+    const ImageFile reference = read_finite_image(pair.reference, domain);
+    if (test.image.size() != reference.image.size() ||
+        test.image.channels() != reference.image.channels()) {
+        throw InputError(pair.test.string(), "not the shape of " + pair.reference.string(),
+                         describe_shape(test.image), describe_shape(reference.image));
+    }
     for (const MetricUnit* unit : metrics) {
         const auto metric = unit->create(unit->parameters.resolve({}, {}));
         // Each file is brought to the metric's domain from its own: an EXR may be held against a PNG.
@@ -152,9 +171,9 @@ void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
             const Image converted = convert_for_metric(image, from, unit->domain);
             return unit->luma ? compute_luma(converted) : converted;
         };
-        check_metric_input({test_image, reference_image}, unit->name, unit->smallest_side);
-        const Image a = convert(test_image, test.domain);
-        const Image b = convert(reference_image, reference.domain);
+        check_metric_input({test.image, reference.image}, unit->name, unit->smallest_side);
+        const Image a = convert(test.image, test.domain);
+        const Image b = convert(reference.image, reference.domain);
         const MetricResult result = metric->evaluate({a, b});
         Score& score = scores[unit->name];
         if (result.value) {

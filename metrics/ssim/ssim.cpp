@@ -31,57 +31,71 @@ std::array<double, kRadius + 1> make_window() {
     return window;
 }
 
-/// The five windowed means of one output row: x, y, x^2, y^2, xy. Kept apart so that the inner loops vectorise.
-using Moments = std::array<std::vector<double>, 5>;
+constexpr std::size_t kTaps = 2 * kRadius + 1;
+using Window = std::array<double, kRadius + 1>;
 
-/// Weighted sums of 11 rows, at every column.
-void sum_columns(const MetricInput& input, int row, const std::array<double, kRadius + 1>& window,
-                 Moments& columns) {
-    const auto width = static_cast<std::size_t>(input.test.width());
-    for (std::vector<double>& moment : columns) {
-        moment.assign(width, 0.0);
-    }
-    for (int k = -kRadius; k <= kRadius; ++k) {
-        const double weight = window[static_cast<std::size_t>(std::abs(k))];
-        const std::size_t first = static_cast<std::size_t>(row + kRadius + k) * width;
-        const float* test = input.test.values().data() + first;
-        const float* reference = input.reference.values().data() + first;
-        double* const mx = columns[0].data();
-        double* const my = columns[1].data();
-        double* const mxx = columns[2].data();
-        double* const myy = columns[3].data();
-        double* const mxy = columns[4].data();
-        for (std::size_t i = 0; i < width; ++i) {
-            const double x = static_cast<double>(test[i]);
-            const double y = static_cast<double>(reference[i]);
-            const double wx = weight * x;
-            const double wy = weight * y;
-            mx[i] += wx;
-            my[i] += wy;
-            mxx[i] += wx * x;
-            myy[i] += wy * y;
-            mxy[i] += wx * y;
-        }
+/// What is averaged over the window: x, y, x^2 + y^2 and x y. The two variances are needed in their sum alone.
+constexpr std::size_t kMoments = 4;
+using Moments = std::array<std::vector<double>, kMoments>;
+
+/// The window's sum over 11 rows of numbers: of neighbouring columns or of neighbouring rows. `out` overlaps none of them.
+void sum_taps(const std::array<const double*, kTaps>& taps, const Window& window, std::size_t count,
+              double* __restrict out) {
+    const auto [a5, a4, a3, a2, a1, c, b1, b2, b3, b4, b5] = taps;
+    const auto [w0, w1, w2, w3, w4, w5] = window;
+    for (std::size_t i = 0; i < count; ++i) {
+        out[i] = w0 * c[i] + w1 * (a1[i] + b1[i]) + w2 * (a2[i] + b2[i]) + w3 * (a3[i] + b3[i]) +
+                 w4 * (a4[i] + b4[i]) + w5 * (a5[i] + b5[i]);
     }
 }
 
-/// Weighted sums of 11 neighbouring columns.
-void sum_rows(const std::vector<double>& column, const std::array<double, kRadius + 1>& window,
-              std::vector<double>& out) {
-    const double* const in = column.data() + kRadius;
-    double* const sums = out.data();
-    const std::size_t count = out.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        sums[i] = window[0] * in[i];
+/// The moments of one input row, summed over 11 neighbouring columns.
+void sum_columns(const MetricInput& input, int row, const Window& window, Moments& products,
+                 Moments& out) {
+    const auto width = static_cast<std::size_t>(input.test.width());
+    const float* test = input.test.values().data() + static_cast<std::size_t>(row) * width;
+    const float* reference = input.reference.values().data() + static_cast<std::size_t>(row) * width;
+    double* __restrict xs = products[0].data();
+    double* __restrict ys = products[1].data();
+    double* __restrict squares = products[2].data();
+    double* __restrict crosses = products[3].data();
+    for (std::size_t i = 0; i < width; ++i) {
+        const double x = static_cast<double>(test[i]);
+        const double y = static_cast<double>(reference[i]);
+        xs[i] = x;
+        ys[i] = y;
+        squares[i] = x * x + y * y;
+        crosses[i] = x * y;
     }
-    for (std::ptrdiff_t k = 1; k <= kRadius; ++k) {
-        const double weight = window[static_cast<std::size_t>(k)];
-        const double* const left = in - k;
-        const double* const right = in + k;
-        for (std::size_t i = 0; i < count; ++i) {
-            sums[i] += weight * (left[i] + right[i]);
+    for (std::size_t m = 0; m < kMoments; ++m) {
+        std::array<const double*, kTaps> taps{};
+        for (std::size_t k = 0; k < kTaps; ++k) {
+            taps.at(k) = products.at(m).data() + k;
         }
+        sum_taps(taps, window, out.at(m).size(), out.at(m).data());
     }
+}
+
+/// SSIM of each pixel of one row from its four windowed means.
+void compute_row(const Moments& means, std::vector<double>& values) {
+    const double* const xs = means[0].data();
+    const double* const ys = means[1].data();
+    const double* const squares = means[2].data();
+    const double* const crosses = means[3].data();
+    double* __restrict out = values.data();
+    const std::size_t count = values.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double product = xs[i] * ys[i];
+        const double sum = xs[i] * xs[i] + ys[i] * ys[i];
+        out[i] = (2.0 * product + kC1) * (2.0 * (crosses[i] - product) + kC2) /
+                 ((sum + kC1) * (squares[i] - sum + kC2));
+    }
+}
+
+Moments make_moments(std::size_t width) {
+    Moments moments;
+    moments.fill(std::vector<double>(width));
+    return moments;
 }
 
 class Ssim final : public Metric {
@@ -89,30 +103,36 @@ class Ssim final : public Metric {
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "ssim", 2 * kRadius + 1);
         ALCOVE_ASSERT(input.test.channels() == 1, "luma");
-        const std::array<double, kRadius + 1> window = make_window();
+        const Window window = make_window();
         const ImageSize valid{input.test.width() - 2 * kRadius, input.test.height() - 2 * kRadius};
+        const auto width = static_cast<std::size_t>(valid.width);
         MetricResult result;
         result.map = Image(valid, 1);
         result.map_offset = kRadius;
-        Moments columns;
-        Moments rows;
-        for (std::vector<double>& row : rows) {
-            row.resize(static_cast<std::size_t>(valid.width));
-        }
+        Moments products = make_moments(static_cast<std::size_t>(input.test.width()));
+        // The last 11 input rows, row y in place y mod 11.
+        std::array<Moments, kTaps> rows;
+        rows.fill(make_moments(width));
+        Moments means = make_moments(width);
+        std::vector<double> values(width);
         double sum = 0.0;
-        for (int y = 0; y < valid.height; ++y) {
-            sum_columns(input, y, window, columns);
-            for (std::size_t m = 0; m < rows.size(); ++m) {
-                sum_rows(columns.at(m), window, rows.at(m));
+        for (int row = 0; row < input.test.height(); ++row) {
+            const auto newest = static_cast<std::size_t>(row) % kTaps;
+            sum_columns(input, row, window, products, rows.at(newest));
+            const int y = row - 2 * kRadius;
+            if (y < 0) {
+                continue;
             }
+            for (std::size_t m = 0; m < kMoments; ++m) {
+                std::array<const double*, kTaps> taps{};
+                for (std::size_t k = 0; k < kTaps; ++k) {
+                    taps.at(k) = rows.at((newest + 1 + k) % kTaps).at(m).data();
+                }
+                sum_taps(taps, window, width, means.at(m).data());
+            }
+            compute_row(means, values);
             for (int x = 0; x < valid.width; ++x) {
-                const auto i = static_cast<std::size_t>(x);
-                const double mx = rows[0][i];
-                const double my = rows[1][i];
-                const double variance_sum = rows[2][i] + rows[3][i] - mx * mx - my * my;
-                const double covariance = rows[4][i] - mx * my;
-                const double value = (2.0 * mx * my + kC1) * (2.0 * covariance + kC2) /
-                                     ((mx * mx + my * my + kC1) * (variance_sum + kC2));
+                const double value = values[static_cast<std::size_t>(x)];
                 result.map->at(x, y) = static_cast<float>(value);
                 sum += value;
             }

@@ -1,0 +1,244 @@
+// `metric` over anybody's images, `list` and `reference`.
+
+#include "core/base/image_file.hpp"
+#include "tests/harness/program.hpp"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+namespace alcove {
+namespace {
+
+using nlohmann::json;
+
+constexpr ImageSize kSize{48, 40};
+
+/// A smooth visibility image in [0.1, 1].
+Image make_visibility(double phase) {
+    Image image(kSize, 1);
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            image.at(x, y) = static_cast<float>(0.55 + 0.45 * std::sin(0.2 * x + 0.1 * y + phase));
+        }
+    }
+    return image;
+}
+
+std::set<std::string> list_keys(const json& object) {
+    std::set<std::string> keys;
+    for (const auto& [key, value] : object.items()) {
+        keys.insert(key);
+    }
+    return keys;
+}
+
+class MetricVerb : public ProgramTest {
+  protected:
+    static std::string write_exr_file(const std::string& name, const Image& image) {
+        write_exr(folder() / name, image, Domain::visibility);
+        return (folder() / name).string();
+    }
+    static std::string write_png_file(const std::string& name, const Image& visibility) {
+        write_png(folder() / name, encode_view(visibility), Domain::view);
+        return (folder() / name).string();
+    }
+    static json evaluate(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "metric");
+        arguments.emplace_back("--json");
+        const ChildResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out);
+    }
+};
+
+TEST_F(MetricVerb, ListsParseAndNameTheirUnits) {
+    for (const char* what : {"methods", "scenes", "metrics"}) {
+        const ChildResult result = run({"list", what, "--json"});
+        EXPECT_EQ(result.exit_code, 0);
+        EXPECT_EQ(result.err, "");
+        const json list = json::parse(result.out);
+        ASSERT_TRUE(list.is_array()) << what;
+        for (const json& item : list) {
+            EXPECT_FALSE(item.at("name").get<std::string>().empty());
+            EXPECT_FALSE(item.at("title").get<std::string>().empty());
+        }
+        EXPECT_EQ(run({"list", what}).exit_code, 0);
+    }
+    const json parameters = json::parse(run({"list", "parameters", "--json"}).out);
+    EXPECT_EQ(parameters.at("hemisphere_ssao").at(0).at("unit"), "m");
+    EXPECT_EQ(run({"list", "parameters"}).exit_code, 0);
+}
+
+TEST_F(MetricVerb, JsonIsOneObjectWithTheReportedMetricsAsKeys) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string b = write_exr_file("b.exr", make_visibility(0.3));
+    const json scores = evaluate({a, b});
+    std::set<std::string> reported;
+    for (const json& metric : json::parse(run({"list", "metrics", "--json"}).out)) {
+        if (metric.at("reported").get<bool>()) {
+            reported.insert(metric.at("name").get<std::string>());
+        }
+    }
+    EXPECT_EQ(list_keys(scores), reported);
+    for (const char* name : {"mse", "rmse", "psnr", "ssim"}) {
+        EXPECT_TRUE(scores.at(name).is_number()) << name;
+    }
+    EXPECT_NEAR(scores.at("rmse").get<double>(), std::sqrt(scores.at("mse").get<double>()), 1e-12);
+    EXPECT_EQ(list_keys(evaluate({a, b, "--metric", "ssim", "--metric", "mse"})),
+              (std::set<std::string>{"mse", "ssim"}));
+}
+
+TEST_F(MetricVerb, AnInfiniteValueIsNullAndTheReasonStandsOnStandardError) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const ChildResult result = run({"metric", a, a, "--metric", "psnr", "--metric", "mse", "--json"});
+    EXPECT_EQ(result.exit_code, 0);
+    const json scores = json::parse(result.out);
+    EXPECT_TRUE(scores.at("psnr").is_null());
+    EXPECT_EQ(scores.at("mse").get<double>(), 0.0);
+    EXPECT_NE(result.err.find("psnr"), std::string::npos) << result.err;
+}
+
+TEST_F(MetricVerb, ExrAndPngOfTheSameImagesAgreeUpToQuantisation) {
+    const Image a = make_visibility(0.0);
+    const Image b = make_visibility(0.3);
+    const json exr = evaluate({write_exr_file("a.exr", a), write_exr_file("b.exr", b)});
+    const json png = evaluate({write_png_file("a.png", a), write_png_file("b.png", b)});
+    const json mixed = evaluate({write_exr_file("a.exr", a), write_png_file("b.png", b)});
+    // Half a code, decoded at the curve's steepest (2.275 at 1), in each of two images: by the triangle inequality no
+    // RMSE moves further.
+    constexpr double kRmseBound = 2.0 * 0.5 / 255.0 * 2.275;
+    // Of codes: noise of variance (1/255)^2/12 against C2 = 0.03^2 changes the structure term by less than 2 * 1.3e-6 / 9e-4.
+    constexpr double kSsimBound = 3e-3;
+    for (const json& other : {png, mixed}) {
+        EXPECT_NEAR(other.at("rmse").get<double>(), exr.at("rmse").get<double>(), kRmseBound);
+        EXPECT_NEAR(other.at("ssim").get<double>(), exr.at("ssim").get<double>(), kSsimBound);
+    }
+    EXPECT_GT(exr.at("rmse").get<double>(), 4.0 * kRmseBound) << "the images must differ by more";
+}
+
+TEST_F(MetricVerb, FoldersAreComparedFrameByFrame) {
+    for (const char* name : {"0001", "0002"}) {
+        const double phase = name[3] - '0';
+        write_exr_file(std::string("test/") + name + ".exr", make_visibility(phase));
+        write_exr_file(std::string("truth/") + name + ".exr", make_visibility(phase + 0.1 * phase));
+    }
+    const std::string test = (folder() / "test").string();
+    const std::string truth = (folder() / "truth").string();
+    const double first = evaluate({test + "/0001.exr", truth + "/0001.exr"}).at("mse").get<double>();
+    const double second = evaluate({test + "/0002.exr", truth + "/0002.exr"}).at("mse").get<double>();
+    EXPECT_NE(first, second);
+    EXPECT_DOUBLE_EQ(evaluate({test, truth}).at("mse").get<double>(), 0.5 * (first + second));
+    write_exr_file("truth/0003.exr", make_visibility(0.0));
+    expect_refused({"metric", test, truth}, 2, {"same PNG and EXR names"});
+    expect_refused({"metric", test, truth + "/0001.exr"}, 2, {"folder"});
+    std::filesystem::create_directory(folder() / "nothing");
+    expect_refused({"metric", (folder() / "nothing").string(), (folder() / "nothing").string()}, 2,
+                   {"nothing", "no PNG or EXR"});
+}
+
+TEST_F(MetricVerb, AGateThatIsNotMetExitsThree) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string b = write_exr_file("b.exr", make_visibility(0.3));
+    EXPECT_EQ(run({"metric", a, b, "--gate", "mse<1,ssim>=0"}).exit_code, 0);
+    const ChildResult missed = run({"metric", a, b, "--gate", "mse<1,rmse<=1e-6"});
+    EXPECT_EQ(missed.exit_code, 3);
+    EXPECT_NE(missed.err.find("rmse<=1e-6"), std::string::npos) << missed.err;
+    // What has no value meets no gate.
+    EXPECT_EQ(run({"metric", a, a, "--metric", "psnr", "--gate", "psnr>1"}).exit_code, 3);
+    EXPECT_EQ(run({"metric", a, b, "--gate", "flib<1"}).exit_code, 2);
+    EXPECT_EQ(run({"metric", a, b, "--gate", "mse"}).exit_code, 2);
+}
+
+TEST_F(MetricVerb, CheckValuesOfTheDefinitionsHold) {
+    const ChildResult result = run({"metric", "--self-test"});
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    EXPECT_EQ(result.out.find("FAILED"), std::string::npos);
+}
+
+TEST_F(MetricVerb, MapsAreWritten) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string b = write_exr_file("b.exr", make_visibility(0.3));
+    static_cast<void>(evaluate({a, b, "--metric", "mse", "--map", (folder() / "maps").string()}));
+    EXPECT_EQ(read_image_file(folder() / "maps" / "a_mse.exr").image.size(), kSize);
+}
+
+TEST_F(MetricVerb, BadImagesAreNamed) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    Image broken = make_visibility(0.3);
+    broken.at(7, 5) = std::numeric_limits<float>::quiet_NaN();
+    const std::string nan = write_exr_file("nan.exr", broken);
+    expect_refused({"metric", nan, a}, 2, {"nan.exr", "NaN", "(7, 5)"});
+    expect_refused({"metric", a, nan}, 2, {"nan.exr", "NaN", "(7, 5)"});
+    broken.at(7, 5) = std::numeric_limits<float>::infinity();
+    expect_refused({"metric", write_exr_file("inf.exr", broken), a}, 2, {"inf.exr", "infinity"});
+    const std::string small = write_exr_file("small.exr", Image({8, 8}, 1));
+    expect_refused({"metric", a, small}, 2, {"a.exr", "small.exr", "48x40", "8x8"});
+    expect_refused({"metric", small, small, "--metric", "ssim"}, 2, {"ssim", "8x8"});
+    expect_refused({"metric", a, "missing.exr"}, 2, {"missing.exr", "no such file"});
+    expect_refused({"metric", a, write("text.exr", "no image")}, 2, {"text.exr"});
+    expect_refused({"metric", a}, 2, {"TEST and REFERENCE"});
+    const std::string png = write_png_file("cut.png", make_visibility(0.0));
+    std::filesystem::resize_file(png, std::filesystem::file_size(png) / 2);
+    // libpng adds a line of its own.
+    const ChildResult cut = run({"metric", png, a});
+    EXPECT_EQ(cut.exit_code, 2);
+    EXPECT_EQ(cut.out, "");
+    EXPECT_NE(cut.err.find("alcove: " + png + ": image data cannot be read"), std::string::npos)
+        << cut.err;
+}
+
+class ReferenceVerb : public MetricVerb {
+  protected:
+    static ImageFile trace(const std::vector<std::string>& more) {
+        write("box.gltf", make_box_gltf());
+        write("camera.json", R"({"position":[2,1.5,4],"target":[0,0.5,0],"up":[0,1,0],)"
+                             R"("fov_y_degrees":60,"near":0.1,"far":100})");
+        std::vector<std::string> arguments{"reference", "box.gltf", "--camera", "camera.json",
+                                           "--out", "v.exr"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const ChildResult result = run(arguments);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return read_image_file(folder() / "v.exr");
+    }
+};
+
+TEST_F(ReferenceVerb, WritesOneChannelOfVisibilityTopRowFirst) {
+    const ImageFile file = trace({"--radius", "1", "--spp", "32", "--size", "40x30"});
+    EXPECT_EQ(file.image.size(), (ImageSize{40, 30}));
+    EXPECT_EQ(file.image.channels(), 1);
+    EXPECT_EQ(file.domain, Domain::visibility);
+    // The sky stands in the top row, the floor (open but for the box) in the bottom row.
+    for (int x = 0; x < 40; ++x) {
+        EXPECT_EQ(file.image.at(x, 0), 1.0f) << x;
+    }
+    float darkest = 1.0f;
+    for (const float value : file.image.values()) {
+        EXPECT_GE(value, 0.0f);
+        EXPECT_LE(value, 1.0f);
+        darkest = std::min(darkest, value);
+    }
+    EXPECT_LT(darkest, 0.8f) << "the edge between box and floor";
+}
+
+TEST_F(ReferenceVerb, IsTheSameTwiceAndChangesWithWhatIsAsked) {
+    const std::vector<std::string> plain{"--radius", "1", "--spp", "16", "--size", "40x30"};
+    const std::uint64_t first = hash_image(trace(plain).image);
+    EXPECT_EQ(hash_image(trace(plain).image), first);
+    for (const std::vector<std::string>& more : std::vector<std::vector<std::string>>{
+             {"--falloff", "linear"}, {"--weighting", "uniform"}}) {
+        std::vector<std::string> changed = plain;
+        changed.insert(changed.end(), more.begin(), more.end());
+        EXPECT_NE(hash_image(trace(changed).image), first) << more.front();
+    }
+}
+
+TEST_F(ReferenceVerb, OnePixelIsAnImage) {
+    EXPECT_EQ(trace({"--radius", "1", "--spp", "2", "--size", "1x1"}).image.size(),
+              (ImageSize{1, 1}));
+}
+
+} // namespace
+} // namespace alcove
