@@ -22,10 +22,6 @@ std::uint32_t permute(std::uint32_t x, std::uint32_t seed) {
     return x;
 }
 
-std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
-    return reverse_bits(permute(reverse_bits(x), seed));
-}
-
 /// Second Sobol dimension: direction numbers of the polynomial x + 1, v_{k+1} = v_k ^ (v_k >> 1).
 std::uint32_t compute_second_dimension(std::uint32_t index) {
     std::uint32_t result = 0;
@@ -47,7 +43,15 @@ std::uint32_t finalise(std::uint32_t h) {
     return h ^ (h >> 16);
 }
 
-float to_unit(std::uint32_t x) { return static_cast<float>(x >> 8) * 0x1p-24f; }
+/// The top 24 bits; as a signed number, whose conversion is one instruction.
+float to_unit(std::uint32_t x) {
+    return static_cast<float>(static_cast<std::int32_t>(x >> 8)) * 0x1p-24f;
+}
+
+/// The scramble of a word that comes with its bits reversed.
+float scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
+    return to_unit(reverse_bits(permute(reversed, seed)));
+}
 
 } // namespace
 
@@ -58,10 +62,25 @@ std::uint32_t hash_words(std::uint32_t a, std::uint32_t b) {
 }
 
 glm::vec2 compute_scrambled_sobol(std::uint32_t index, std::uint32_t seed) {
-    const std::uint32_t first = reverse_bits(index);
-    const std::uint32_t second = compute_second_dimension(index);
-    return {to_unit(scramble(first, hash_words(seed, 0u))),
-            to_unit(scramble(second, hash_words(seed, 1u)))};
+    // The first dimension is the index with its bits reversed, so reversed it is the index.
+    return {scramble_reversed(index, hash_words(seed, 0u)),
+            scramble_reversed(reverse_bits(compute_second_dimension(index)), hash_words(seed, 1u))};
+}
+
+SobolBundles::SobolBundles(unsigned count) {
+    for (std::uint32_t i = 0; i < (count + kPoints - 1) / kPoints * kPoints; ++i) {
+        m_second.push_back(reverse_bits(compute_second_dimension(i)));
+    }
+}
+
+void SobolBundles::scramble(unsigned first, std::uint32_t seed, Points& points) const {
+    const std::uint32_t seed_x = hash_words(seed, 0u);
+    const std::uint32_t seed_y = hash_words(seed, 1u);
+    const std::uint32_t* const second = m_second.data() + first;
+    for (unsigned lane = 0; lane < kPoints; ++lane) {
+        points.x[lane] = scramble_reversed(first + lane, seed_x);
+        points.y[lane] = scramble_reversed(second[lane], seed_y);
+    }
 }
 
 } // namespace alcove

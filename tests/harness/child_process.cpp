@@ -86,6 +86,10 @@ bool ChildProcess::wait_for(std::chrono::milliseconds time) {
     return true;
 }
 
+std::string ChildProcess::read_errors() const {
+    return fs::exists(m_output / "err") ? read_file(m_output / "err") : std::string();
+}
+
 void ChildProcess::limit_file_size(std::uintmax_t bytes) const {
     const ::rlimit limit{bytes, bytes};
     if (::prlimit(m_process, RLIMIT_FSIZE, &limit, nullptr) != 0) {

@@ -36,6 +36,8 @@ class ChildProcess {
 
     /// True if it ended by itself within that time.
     [[nodiscard]] bool wait_for(std::chrono::milliseconds time);
+    /// What it printed on standard error so far.
+    [[nodiscard]] std::string read_errors() const;
     /// From now on writes beyond this size fail with EFBIG: a full disk where no disk can be mounted.
     void limit_file_size(std::uintmax_t bytes) const;
     /// SIGKILL: nothing of the child's runs any more.
