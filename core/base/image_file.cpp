@@ -83,7 +83,8 @@ ImageFile read_image_file(const fs::path& path, std::optional<Domain> domain) {
     }
     if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
                            file.image.values().data())) {
-        throw InputError(path.string(), "image data cannot be read: " + join_lines(input->geterror()));
+        throw InputError(path.string(),
+                         "image data cannot be read: " + join_lines(input->geterror()));
     }
     return file;
 }

@@ -198,8 +198,8 @@ std::string name_places(std::string_view log, const ExpandedSource& source) {
     std::string text;
     while (std::getline(lines, line)) {
         if (const std::optional<Place> place = read_place(line)) {
-            const std::size_t index = place->source.size() < 10 ? std::stoul(place->source)
-                                                                : source.files.size();
+            const std::size_t index =
+                place->source.size() < 10 ? std::stoul(place->source) : source.files.size();
             if (index < source.files.size()) {
                 const ExpandedSource::File& file = source.files[index];
                 const std::string included =

@@ -133,12 +133,13 @@ int start(const RunFlags& flags, const std::string& command_line) {
                              : fs::path(flags.out);
     const MadePlan plan = make_plan(experiment, units);
     print_notes(plan);
+    // First: a context that is refused leaves no empty folder behind.
+    const std::unique_ptr<gl::Context> context = gl::open_context(kind);
     create_output_folder(out);
     if (fs::exists(out / "context.json")) { // before seconds go into the timers
         throw InputError(out.string(), "the folder already holds a run", "context.json",
                          "an empty or new folder, or --resume");
     }
-    const std::unique_ptr<gl::Context> context = gl::open_context(kind);
     const gl::TimerReport timers = validate(*context);
     RunFolder run =
         RunFolder::create(out, describe_environment(*context, timers), plan.record);

@@ -52,8 +52,9 @@ glm::mat3 make_frame(const glm::vec3& n) {
             glm::vec3(b, s + n.y * n.y * a, -n.y), n};
 }
 
-/// cos and sin of 2 pi u for u in [0,1], within 1e-7: polynomials over an eighth of a turn to either side of the nearest
-/// quarter. Without branches, so that a loop over lanes becomes one over vectors.
+/// cos and sin of 2 pi u for u in [0,1], within 1e-7: polynomials over an eighth of a turn to
+/// either side of the nearest quarter. Without branches, so that a loop over lanes becomes one over
+/// vectors.
 void compute_turn(float u, float& cosine, float& sine) {
     const auto quarter = static_cast<std::int32_t>(4.0f * u + 0.5f);
     const float a = (4.0f * u - static_cast<float>(quarter)) * (0.5f * std::numbers::pi_v<float>);
@@ -69,12 +70,13 @@ void compute_turn(float u, float& cosine, float& sine) {
 }
 
 /// Directions of one bundle about the frame's third axis.
-void make_directions(const SobolBundles::Points& points, Weighting weighting, const glm::mat3& frame,
-                     RTCRayHit16& bundle) {
+void make_directions(const SobolBundles::Points& points, Weighting weighting,
+                     const glm::mat3& frame, RTCRayHit16& bundle) {
     alignas(64) std::array<float, kBundle> z;
     alignas(64) std::array<float, kBundle> horizontal;
     for (unsigned lane = 0; lane < kBundle; ++lane) {
-        // Density cos / pi needs z = sqrt(1 - u), uniform density z = 1 - u; neither reaches the horizon's z = 0.
+        // Density cos / pi needs z = sqrt(1 - u), uniform density z = 1 - u; neither reaches the
+        // horizon's z = 0.
         const float rest = 1.0f - points.x[lane];
         z[lane] = weighting == Weighting::cosine ? std::sqrt(rest) : rest;
         horizontal[lane] = std::sqrt(std::max(0.0f, 1.0f - z[lane] * z[lane]));
@@ -115,8 +117,9 @@ TracedObject place_object(const PosedObject& object) {
     return traced;
 }
 
-/// Moves the point off the planes that the vertex normals span, so that shading normals do not start rays below facets
-/// that are only facets. This work is based on: Hanika. Hacking the shadow terminator. Ray Tracing Gems II. 2021.
+/// Moves the point off the planes that the vertex normals span, so that shading normals do not
+/// start rays below facets that are only facets. This work is based on: Hanika. Hacking the shadow
+/// terminator. Ray Tracing Gems II. 2021.
 glm::vec3 lift_off_terminator(const glm::vec3& point, const std::array<glm::vec3, 3>& corners,
                               const std::array<glm::vec3, 3>& normals,
                               const std::array<float, 3>& barycentric) {
@@ -142,8 +145,7 @@ struct RayTracer::State {
                                      const Camera& camera, const TraceSettings& settings,
                                      Receiver& receiver) const;
     [[nodiscard]] float trace_half(const Receiver& receiver, std::uint32_t seed,
-                                   const SobolBundles& points,
-                                   const TraceSettings& settings) const;
+                                   const SobolBundles& points, const TraceSettings& settings) const;
 };
 
 bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& direction,
@@ -184,7 +186,8 @@ bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& dire
     }
     glm::vec3 geometric =
         glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    // Counter-clockwise is the front, as for the rasteriser: seen from behind, both normals turn over.
+    // Counter-clockwise is the front, as for the rasteriser: seen from behind, both normals turn
+    // over.
     const float side = glm::dot(geometric, direction) > 0.0f ? -1.0f : 1.0f;
     geometric *= side;
     const bool uses_shading = settings.target.normals == Normals::shading;
@@ -237,7 +240,8 @@ float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
             bundle.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
         }
         if (needs_distance) {
-            // Most rays meet nothing: the closest hit is searched for those alone that meet something.
+            // Most rays meet nothing: the closest hit is searched for those alone that meet
+            // something.
             rtcOccluded16(valid.data(), scene.get(), &context, &bundle.ray);
             bool any = false;
             for (unsigned lane = 0; lane < kBundle; ++lane) {
@@ -286,12 +290,12 @@ void RayTracer::update(const PosedGeometry& geometry) {
     for (const PosedObject& object : geometry.objects) {
         TracedObject& traced = state.objects.emplace_back(place_object(object));
         const RTCGeometry mesh = rtcNewGeometry(state.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3),
-            traced.positions.size()));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-            traced.indices->size() / 3));
+        auto* positions = static_cast<glm::vec3*>(
+            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                    sizeof(glm::vec3), traced.positions.size()));
+        auto* indices = static_cast<std::uint32_t*>(
+            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(std::uint32_t), traced.indices->size() / 3));
         if (positions == nullptr || indices == nullptr) {
             rtcReleaseGeometry(mesh);
             throw FailureError("Embree", "out of memory for the scene's triangles");
@@ -335,16 +339,17 @@ ReferencePair RayTracer::trace(const Camera& camera, ImageSize size,
                 }
                 const auto pixel = static_cast<std::uint32_t>(y * size.width + x);
                 const std::uint32_t seed = hash_words(settings.seed, pixel);
-                pair.a.at(x, y) = state.trace_half(receiver, hash_words(seed, 0xau), points, settings);
-                pair.b.at(x, y) = state.trace_half(receiver, hash_words(seed, 0xbu), points, settings);
+                pair.a.at(x, y) =
+                    state.trace_half(receiver, hash_words(seed, 0xau), points, settings);
+                pair.b.at(x, y) =
+                    state.trace_half(receiver, hash_words(seed, 0xbu), points, settings);
                 ++found;
             }
         }
         receivers += found;
     };
     const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    const unsigned count =
-        settings.threads > 0 ? static_cast<unsigned>(settings.threads) : cores;
+    const unsigned count = settings.threads > 0 ? static_cast<unsigned>(settings.threads) : cores;
     std::vector<std::jthread> threads;
     for (unsigned i = 1; i < count; ++i) {
         threads.emplace_back(work);

@@ -56,8 +56,8 @@ float scramble_reversed(std::uint32_t reversed, std::uint32_t seed) {
 } // namespace
 
 std::uint32_t hash_words(std::uint32_t a, std::uint32_t b) {
-    // Each word goes through the finaliser of its own: mixed before one finaliser, words that differ in one bit gave both
-    // dimensions of a point scrambles that depended on each other.
+    // Each word goes through the finaliser of its own: mixed before one finaliser, words that
+    // differ in one bit gave both dimensions of a point scrambles that depended on each other.
     return finalise(finalise(a + 0x9e3779b9u) + b * 0x85ebca77u + 0x165667b1u);
 }
 

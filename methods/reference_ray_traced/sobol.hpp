@@ -9,13 +9,14 @@
 
 namespace alcove {
 
-/// Point `index` of the first two Sobol dimensions, Owen-scrambled by `seed`; in [0,1). Any 2^k first points are
-/// stratified in every elementary interval, and different seeds are independent randomisations.
-/// This work is based on: Burley. Practical hash-based Owen scrambling. 2020, and the permutation of Laine and Karras.
-/// Stratified sampling for stochastic transparency. 2011.
+/// Point `index` of the first two Sobol dimensions, Owen-scrambled by `seed`; in [0,1). Any 2^k
+/// first points are stratified in every elementary interval, and different seeds are independent
+/// randomisations. This work is based on: Burley. Practical hash-based Owen scrambling. 2020, and
+/// the permutation of Laine and Karras. Stratified sampling for stochastic transparency. 2011.
 [[nodiscard]] glm::vec2 compute_scrambled_sobol(std::uint32_t index, std::uint32_t seed);
 
-/// compute_scrambled_sobol for many seeds, 16 points at a time: what depends on the index alone is made once.
+/// compute_scrambled_sobol for many seeds, 16 points at a time: what depends on the index alone is
+/// made once.
 class SobolBundles {
   public:
     static constexpr unsigned kPoints = 16;

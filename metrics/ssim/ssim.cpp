@@ -1,5 +1,5 @@
-// This work is based on: Wang, Bovik, Sheikh, Simoncelli. Image quality assessment: from error visibility to structural
-// similarity. 2004.
+// This work is based on: Wang, Bovik, Sheikh, Simoncelli. Image quality assessment: from error
+// visibility to structural similarity. 2004.
 #include "metrics/ssim/ssim.hpp"
 
 #include "metrics/common/test_images.hpp"
@@ -11,12 +11,12 @@
 namespace alcove {
 namespace {
 
-constexpr int kRadius = 5; // 11 taps
+constexpr int kRadius = 5;          // 11 taps
 constexpr double kC1 = 0.01 * 0.01; // (K1 L)^2 with L = 1
 constexpr double kC2 = 0.03 * 0.03; // (K2 L)^2
 
-/// Half of the symmetric window: weight of the centre, then of both taps at distance 1..5. Normalised in double: a
-/// kernel rounded to six digits biases the variances by 4e-6 mu^2.
+/// Half of the symmetric window: weight of the centre, then of both taps at distance 1..5.
+/// Normalised in double: a kernel rounded to six digits biases the variances by 4e-6 mu^2.
 std::array<double, kRadius + 1> make_window() {
     constexpr double kSigma = 1.5;
     std::array<double, kRadius + 1> window{};
@@ -34,11 +34,13 @@ std::array<double, kRadius + 1> make_window() {
 constexpr std::size_t kTaps = 2 * kRadius + 1;
 using Window = std::array<double, kRadius + 1>;
 
-/// What is averaged over the window: x, y, x^2 + y^2 and x y. The two variances are needed in their sum alone.
+/// What is averaged over the window: x, y, x^2 + y^2 and x y. The two variances are needed in their
+/// sum alone.
 constexpr std::size_t kMoments = 4;
 using Moments = std::array<std::vector<double>, kMoments>;
 
-/// The window's sum over 11 rows of numbers: of neighbouring columns or of neighbouring rows. `out` overlaps none of them.
+/// The window's sum over 11 rows of numbers: of neighbouring columns or of neighbouring rows. `out`
+/// overlaps none of them.
 void sum_taps(const std::array<const double*, kTaps>& taps, const Window& window, std::size_t count,
               double* __restrict out) {
     const auto [a5, a4, a3, a2, a1, c, b1, b2, b3, b4, b5] = taps;
@@ -54,7 +56,8 @@ void sum_columns(const MetricInput& input, int row, const Window& window, Moment
                  Moments& out) {
     const auto width = static_cast<std::size_t>(input.test.width());
     const float* test = input.test.values().data() + static_cast<std::size_t>(row) * width;
-    const float* reference = input.reference.values().data() + static_cast<std::size_t>(row) * width;
+    const float* reference =
+        input.reference.values().data() + static_cast<std::size_t>(row) * width;
     double* __restrict xs = products[0].data();
     double* __restrict ys = products[1].data();
     double* __restrict squares = products[2].data();
@@ -149,11 +152,13 @@ MetricUnit ssim_unit() {
     unit.name = "ssim";
     unit.title = "Structural similarity";
     unit.unit = "1";
-    unit.definition =
-        "Wang et al. 2004 on the view (sRGB codes in [0,1]; Rec. 709 luma of colour): 11 x 11 Gaussian window, sigma 1.5, "
-        "normalised in double; K1 0.01, K2 0.03, L 1; population variances; mean over the valid region (W - 10)(H - 10); "
-        "no downsampling (scale = 1).";
-    unit.blind_to = "absolute level in bright areas; over-sensitive in dark ones (codes 0 and 8 give 0.09); says nothing of "
+    unit.definition = "Wang et al. 2004 on the view (sRGB codes in [0,1]; Rec. 709 luma of "
+                      "colour): 11 x 11 Gaussian window, sigma 1.5, "
+                      "normalised in double; K1 0.01, K2 0.03, L 1; population variances; mean "
+                      "over the valid region (W - 10)(H - 10); "
+                      "no downsampling (scale = 1).";
+    unit.blind_to = "absolute level in bright areas; over-sensitive in dark ones (codes 0 and 8 "
+                    "give 0.09); says nothing of "
                     "where an error is seen.";
     unit.direction = Direction::higher_is_better;
     unit.domain = MetricDomain::view;

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kBundle = 16;
 
-/// What of a bundle cannot be said once for all: 16 directions from one point. Kept small, so that the loop is not one
-/// over memory.
+/// What of a bundle cannot be said once for all: 16 directions from one point. Kept small, so that
+/// the loop is not one over memory.
 struct Directions {
     std::array<float, kBundle> x;
     std::array<float, kBundle> y;
@@ -50,8 +50,8 @@ struct RecordedBundles::State {
     float radius = 0.0f;
 };
 
-RecordedBundles::RecordedBundles(const PosedGeometry& geometry, const Camera& camera, ImageSize size,
-                                 double radius_m, int rays_per_half)
+RecordedBundles::RecordedBundles(const PosedGeometry& geometry, const Camera& camera,
+                                 ImageSize size, double radius_m, int rays_per_half)
     : m_state(std::make_unique<State>()) {
     State& state = *m_state;
     state.radius = static_cast<float>(radius_m);
@@ -61,12 +61,11 @@ RecordedBundles::RecordedBundles(const PosedGeometry& geometry, const Camera& ca
     for (const PosedObject& object : geometry.objects) {
         const RTCGeometry mesh = rtcNewGeometry(state.device, RTC_GEOMETRY_TYPE_TRIANGLE);
         const std::size_t vertices = object.mesh->positions.size();
-        auto* positions = static_cast<glm::vec3*>(
-            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(glm::vec3), vertices));
-        auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-            mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
-            object.mesh->indices.size() / 3));
+        auto* positions = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
+            mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), vertices));
+        auto* indices = static_cast<std::uint32_t*>(
+            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                    3 * sizeof(std::uint32_t), object.mesh->indices.size() / 3));
         for (std::size_t i = 0; i < vertices; ++i) {
             positions[i] =
                 glm::vec3(object.origin_from_object * glm::vec4(object.mesh->positions[i], 1.0f));
@@ -85,8 +84,9 @@ RecordedBundles::RecordedBundles(const PosedGeometry& geometry, const Camera& ca
         for (int x = 0; x < size.width; ++x) {
             const glm::vec3 d(compute_pixel_direction(camera, size, {x + 0.5, y + 0.5}));
             RTCRayHit query{};
-            query.ray = {eye.x, eye.y, eye.z, static_cast<float>(camera.near_m), d.x, d.y, d.z, 0.0f,
-                         static_cast<float>(camera.far_m), 0xffffffffu, 0, 0};
+            query.ray = {eye.x, eye.y, eye.z, static_cast<float>(camera.near_m), d.x,
+                         d.y,   d.z,   0.0f,  static_cast<float>(camera.far_m),  0xffffffffu,
+                         0,     0};
             query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
             rtcIntersect1(state.scene, &context, &query);
             if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
@@ -128,12 +128,17 @@ RecordedBundles::~RecordedBundles() {
     rtcReleaseDevice(m_state->device);
 }
 
-std::size_t RecordedBundles::receiver_count() const { return m_state->receivers.size(); }
+std::size_t RecordedBundles::receiver_count() const {
+    return m_state->receivers.size();
+}
 
-std::uint64_t RecordedBundles::ray_count() const { return m_state->bundles.size() * kBundle; }
+std::uint64_t RecordedBundles::ray_count() const {
+    return m_state->bundles.size() * kBundle;
+}
 
 void RecordedBundles::run() const {
-    constexpr std::size_t kBlock = 384; // receivers a thread takes at a time: a row of the default image
+    constexpr std::size_t kBlock =
+        384; // receivers a thread takes at a time: a row of the default image
     const State& state = *m_state;
     std::atomic<std::size_t> next{0};
     const auto work = [&] {

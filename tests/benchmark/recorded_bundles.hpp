@@ -1,5 +1,6 @@
 #pragma once
-// The bundles that the reference tracer casts, made beforehand, and nothing but rtcOccluded16 over them.
+// The bundles that the reference tracer casts, made beforehand, and nothing but rtcOccluded16 over
+// them.
 
 #include "core/base/camera.hpp"
 #include "core/frame/posed_geometry.hpp"
@@ -11,7 +12,8 @@ namespace alcove {
 
 class RecordedBundles {
   public:
-    /// Receivers where the rays through pixel centres hit, cosine directions of shading normals, two halves.
+    /// Receivers where the rays through pixel centres hit, cosine directions of shading normals,
+    /// two halves.
     RecordedBundles(const PosedGeometry& geometry, const Camera& camera, ImageSize size,
                     double radius_m, int rays_per_half);
     ~RecordedBundles();

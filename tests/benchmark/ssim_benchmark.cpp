@@ -1,4 +1,5 @@
-// SSIM against OpenCV's QualitySSIM, 1024x768, one thread, both with their map: at most a third of its time.
+// SSIM against OpenCV's QualitySSIM, 1024x768, one thread, both with their map: at most a third of
+// its time.
 
 #include "metrics/ssim/ssim.hpp"
 #include "tests/benchmark/ratio.hpp"
@@ -21,8 +22,8 @@ Image make_image(double phase) {
         for (int x = 0; x < image.width(); ++x) {
             state = 1664525u * state + 1013904223u;
             const double noise = static_cast<double>(state >> 8) * 0x1p-24;
-            image.at(x, y) =
-                static_cast<float>(0.45 + 0.4 * std::sin(0.05 * x + 0.03 * y + phase) + 0.1 * noise);
+            image.at(x, y) = static_cast<float>(0.45 + 0.4 * std::sin(0.05 * x + 0.03 * y + phase) +
+                                                0.1 * noise);
         }
     }
     return image;
@@ -47,19 +48,22 @@ int main() {
     double ours = 0.0;
     double theirs = 0.0;
     const std::vector<double> ratios = time_in_turn(
-        [&] { ours = metric->evaluate({test, reference}).value.value_or(0.0); },
+        [&] {
+            ours = metric->evaluate({test, reference}).value.value_or(0.0);
+        },
         [&] {
             cv::Mat map;
             theirs = cv::quality::QualitySSIM::compute(cv_test, cv_reference, map)[0];
         },
         31);
-    std::printf("# ssim: ours %.6f, OpenCV %.6f (its region includes the reflected borders)\n", ours,
-                theirs);
+    std::printf("# ssim: ours %.6f, OpenCV %.6f (its region includes the reflected borders)\n",
+                ours, theirs);
     // Same quantity, or the comparison says nothing: borders are 3 % of the pixels.
     if (std::abs(ours - theirs) > 0.01) {
         std::printf("the two do not measure the same thing\n");
         return 1;
     }
-    return print_target("SSIM / OpenCV QualitySSIM, 1024x768, one thread", 1.0 / 3.0, false, ratios) ? 0
-                                                                                                   : 3;
+    return print_target("SSIM / OpenCV QualitySSIM, 1024x768, one thread", 1.0 / 3.0, false, ratios)
+               ? 0
+               : 3;
 }

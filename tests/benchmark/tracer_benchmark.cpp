@@ -1,5 +1,5 @@
-// Rays/s of the reference against a bare loop of rtcOccluded16 over the same bundles: at least half. Cathedral, 384x288,
-// radius, rays and target of the default suite.
+// Rays/s of the reference against a bare loop of rtcOccluded16 over the same bundles: at least
+// half. Cathedral, 384x288, radius, rays and target of the default suite.
 
 #include "methods/reference_ray_traced/ray_tracer.hpp"
 #include "methods/reference_ray_traced/sobol.hpp"
@@ -30,16 +30,15 @@ int main() {
         settings.target.falloff = falloff;
         std::uint64_t rays = 0;
         // Bare over ours: seconds are inverse to rays/s, and both cast as many.
-        const std::vector<double> ratios = time_in_turn(
-            [&] { bundles.run(); },
-            [&] { rays = tracer.trace(view.camera, kSize, settings).ray_count; }, 7);
-        const double seconds = time_call([&] {
-            static_cast<void>(tracer.trace(view.camera, kSize, settings));
-        });
-        std::printf("# falloff %s: %.2f M rays/s, bare loop %.2f M rays/s\n",
-                    std::string(to_text(falloff)).c_str(), static_cast<double>(rays) / seconds * 1e-6,
-                    static_cast<double>(bundles.ray_count()) / time_call([&] { bundles.run(); }) *
-                        1e-6);
+        const std::vector<double> ratios =
+            time_in_turn([&] { bundles.run(); },
+                         [&] { rays = tracer.trace(view.camera, kSize, settings).ray_count; }, 7);
+        const double seconds =
+            time_call([&] { static_cast<void>(tracer.trace(view.camera, kSize, settings)); });
+        std::printf(
+            "# falloff %s: %.2f M rays/s, bare loop %.2f M rays/s\n",
+            std::string(to_text(falloff)).c_str(), static_cast<double>(rays) / seconds * 1e-6,
+            static_cast<double>(bundles.ray_count()) / time_call([&] { bundles.run(); }) * 1e-6);
         if (rays != bundles.ray_count()) {
             std::printf("the bundles are not those of the tracer: %llu and %llu rays\n",
                         static_cast<unsigned long long>(rays),

@@ -38,7 +38,8 @@ class ChildProcess {
     [[nodiscard]] bool wait_for(std::chrono::milliseconds time);
     /// What it printed on standard error so far.
     [[nodiscard]] std::string read_errors() const;
-    /// From now on writes beyond this size fail with EFBIG: a full disk where no disk can be mounted.
+    /// From now on writes beyond this size fail with EFBIG: a full disk where no disk can be
+    /// mounted.
     void limit_file_size(std::uintmax_t bytes) const;
     /// SIGKILL: nothing of the child's runs any more.
     void kill();

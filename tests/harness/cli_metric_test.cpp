@@ -93,7 +93,8 @@ TEST_F(MetricVerb, JsonIsOneObjectWithTheReportedMetricsAsKeys) {
 
 TEST_F(MetricVerb, AnInfiniteValueIsNullAndTheReasonStandsOnStandardError) {
     const std::string a = write_exr_file("a.exr", make_visibility(0.0));
-    const ChildResult result = run({"metric", a, a, "--metric", "psnr", "--metric", "mse", "--json"});
+    const ChildResult result =
+        run({"metric", a, a, "--metric", "psnr", "--metric", "mse", "--json"});
     EXPECT_EQ(result.exit_code, 0);
     const json scores = json::parse(result.out);
     EXPECT_TRUE(scores.at("psnr").is_null());
@@ -107,10 +108,11 @@ TEST_F(MetricVerb, ExrAndPngOfTheSameImagesAgreeUpToQuantisation) {
     const json exr = evaluate({write_exr_file("a.exr", a), write_exr_file("b.exr", b)});
     const json png = evaluate({write_png_file("a.png", a), write_png_file("b.png", b)});
     const json mixed = evaluate({write_exr_file("a.exr", a), write_png_file("b.png", b)});
-    // Half a code, decoded at the curve's steepest (2.275 at 1), in each of two images: by the triangle inequality no
-    // RMSE moves further.
+    // Half a code, decoded at the curve's steepest (2.275 at 1), in each of two images: by the
+    // triangle inequality no RMSE moves further.
     constexpr double kRmseBound = 2.0 * 0.5 / 255.0 * 2.275;
-    // Of codes: noise of variance (1/255)^2/12 against C2 = 0.03^2 changes the structure term by less than 2 * 1.3e-6 / 9e-4.
+    // Of codes: noise of variance (1/255)^2/12 against C2 = 0.03^2 changes the structure term by
+    // less than 2 * 1.3e-6 / 9e-4.
     constexpr double kSsimBound = 3e-3;
     for (const json& other : {png, mixed}) {
         EXPECT_NEAR(other.at("rmse").get<double>(), exr.at("rmse").get<double>(), kRmseBound);
@@ -127,8 +129,10 @@ TEST_F(MetricVerb, FoldersAreComparedFrameByFrame) {
     }
     const std::string test = (folder() / "test").string();
     const std::string truth = (folder() / "truth").string();
-    const double first = evaluate({test + "/0001.exr", truth + "/0001.exr"}).at("mse").get<double>();
-    const double second = evaluate({test + "/0002.exr", truth + "/0002.exr"}).at("mse").get<double>();
+    const double first =
+        evaluate({test + "/0001.exr", truth + "/0001.exr"}).at("mse").get<double>();
+    const double second =
+        evaluate({test + "/0002.exr", truth + "/0002.exr"}).at("mse").get<double>();
     EXPECT_NE(first, second);
     EXPECT_DOUBLE_EQ(evaluate({test, truth}).at("mse").get<double>(), 0.5 * (first + second));
     write_exr_file("truth/0003.exr", make_visibility(0.0));
@@ -196,8 +200,8 @@ class ReferenceVerb : public MetricVerb {
         write("box.gltf", make_box_gltf());
         write("camera.json", R"({"position":[2,1.5,4],"target":[0,0.5,0],"up":[0,1,0],)"
                              R"("fov_y_degrees":60,"near":0.1,"far":100})");
-        std::vector<std::string> arguments{"reference", "box.gltf", "--camera", "camera.json",
-                                           "--out", "v.exr"};
+        std::vector<std::string> arguments{"reference",   "box.gltf", "--camera",
+                                           "camera.json", "--out",    "v.exr"};
         arguments.insert(arguments.end(), more.begin(), more.end());
         const ChildResult result = run(arguments);
         EXPECT_EQ(result.exit_code, 0) << result.err;

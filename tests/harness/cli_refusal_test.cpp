@@ -30,8 +30,7 @@ TEST_F(Refusal, MistypedNamesGetTheNearest) {
                    {"hemisphere_sao", "nearest: hemisphere_ssao"});
     expect_refused({"run", "--method", "hemisphere_ssao@strong_blr"}, 2,
                    {"strong_blr", "nearest: strong_blur"});
-    expect_refused({"run", "--method", "hemisphere_ssao:radus=1"}, 2,
-                   {"radus", "nearest: radius"});
+    expect_refused({"run", "--method", "hemisphere_ssao:radus=1"}, 2, {"radus", "nearest: radius"});
     expect_refused({"run", "--scene", "cathedrl"}, 2, {"cathedrl", "nearest: cathedral"});
     expect_refused({"metric", "a.png", "b.png", "--metric", "ssmi"}, 2, {"ssmi", "nearest: ssim"});
     expect_refused({"metric", "a.png", "b.png", "--domain", "sRBG"}, 2, {"sRBG", "nearest: srgb"});
@@ -76,6 +75,7 @@ TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     expect_refused({"run", "--effects", "auto"}, 2, {"auto", "planned"});
     expect_refused({"run", "--context", "egl"}, 2, {"egl", "planned"});
     expect_refused({"run", "--context", "glfw"}, 2, {"glfw", "planned"});
+    EXPECT_FALSE(std::filesystem::exists(folder() / "runs")) << "left behind by what was refused";
     expect_refused({"doctor", "--context", "egl"}, 2, {"egl", "planned"});
     expect_refused({"list", "effects"}, 2, {"effects", "planned"});
 }
@@ -93,7 +93,9 @@ TEST_F(Refusal, PlannedPartsStandInTheHelp) {
     }
 }
 
-TEST_F(Refusal, NoVerbIsAnError) { expect_refused({}, 2, {"verb", "--help"}); }
+TEST_F(Refusal, NoVerbIsAnError) {
+    expect_refused({}, 2, {"verb", "--help"});
+}
 
 TEST_F(Refusal, BadScenesAreNamed) {
     expect_refused({"run", "--scene", "missing.gltf"}, 2, {"missing.gltf", "no such file"});
@@ -119,10 +121,10 @@ TEST_F(Refusal, AnOutputFolderBelowAFileIsRefusedBeforeAnythingRuns) {
 
 TEST_F(Refusal, AReferenceThatCannotBeWrittenIsAFailure) {
     const std::string file = write("file", "text");
-    expect_refused(reference_with(write("box.gltf", make_box_gltf()), make_camera(),
-                                  {"--radius", "1", "--spp", "2", "--size", "8x8", "--out",
-                                   file + "/v.exr"}),
-                   1, {file.c_str(), "cannot create the folder"});
+    expect_refused(
+        reference_with(write("box.gltf", make_box_gltf()), make_camera(),
+                       {"--radius", "1", "--spp", "2", "--size", "8x8", "--out", file + "/v.exr"}),
+        1, {file.c_str(), "cannot create the folder"});
 }
 
 TEST_F(Refusal, BadReferenceRequestsAreNamed) {
@@ -139,14 +141,16 @@ TEST_F(Refusal, BadReferenceRequestsAreNamed) {
                    {"--radius"});
     expect_refused(reference_with(box, camera, {"--radius", "1", "--spp", "2", "--out", "v.png"}),
                    2, {"--out", ".exr"});
-    expect_refused(reference_with(box, camera, {"--radius", "1", "--spp", "2", "--size", "0x0",
-                                                "--out", out}),
-                   2, {"--size", "0x0"});
-    expect_refused(reference_with(box, camera, {"--radius", "1", "--spp", "2", "--falloff", "cubic",
-                                                "--out", out}),
-                   2, {"cubic"});
-    expect_refused(reference_with(box, "missing.json", {"--radius", "1", "--spp", "2", "--out", out}),
-                   2, {"missing.json"});
+    expect_refused(
+        reference_with(box, camera, {"--radius", "1", "--spp", "2", "--size", "0x0", "--out", out}),
+        2, {"--size", "0x0"});
+    expect_refused(
+        reference_with(box, camera,
+                       {"--radius", "1", "--spp", "2", "--falloff", "cubic", "--out", out}),
+        2, {"cubic"});
+    expect_refused(
+        reference_with(box, "missing.json", {"--radius", "1", "--spp", "2", "--out", out}), 2,
+        {"missing.json"});
     const std::string keyless = write("keyless.json", R"({"position":[0,0,0]})");
     expect_refused(reference_with(box, keyless, {"--radius", "1", "--spp", "2", "--out", out}), 2,
                    {"keyless.json"});

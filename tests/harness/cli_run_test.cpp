@@ -1,4 +1,5 @@
-// Whole runs of the program. Each validates its timers first (about 5 s on two cores), so they are few and shared.
+// Whole runs of the program. Each validates its timers first (about 5 s on two cores), so they are
+// few and shared.
 
 #include "core/base/file.hpp"
 #include "reports/record/record.hpp"
@@ -34,11 +35,10 @@ ChildResult RunVerb::s_first;
 
 TEST_F(RunVerb, LeavesARunFolderAPageAndATable) {
     ASSERT_EQ(s_first.exit_code, 0) << s_first.err;
-    for (const char* file : {"context.json", "plan.json", "samples.csv", "metrics.csv",
-                             "summary.csv", "report/index.html",
-                             "rounds/r001-template_scene/samples.csv",
-                             "rounds/r001-template_scene/metrics.csv",
-                             "rounds/r001-template_scene/done.json"}) {
+    for (const char* file :
+         {"context.json", "plan.json", "samples.csv", "metrics.csv", "summary.csv",
+          "report/index.html", "rounds/r001-template_scene/samples.csv",
+          "rounds/r001-template_scene/metrics.csv", "rounds/r001-template_scene/done.json"}) {
         EXPECT_GT(fs::file_size(folder() / "first" / file), 0u) << file;
     }
     EXPECT_TRUE(RunFolder::open(folder() / "first").is_complete());

@@ -32,7 +32,8 @@ TEST(MethodSpec, LabelIsTheTextWhereNoneIsGiven) {
 }
 
 TEST(MethodSpec, WhatCannotBeReadIsNamed) {
-    expect_error([] { static_cast<void>(parse_method_spec("m#")); }, 2, {"--method", "label", "m#"});
+    expect_error([] { static_cast<void>(parse_method_spec("m#")); }, 2,
+                 {"--method", "label", "m#"});
     expect_error([] { static_cast<void>(parse_method_spec("m:samples")); }, 2,
                  {"--method", "samples"});
     expect_error([] { static_cast<void>(parse_method_spec("m:=3")); }, 2, {"--method"});
@@ -56,9 +57,9 @@ TEST(Size, SmallestAndLargestAreAccepted) {
 }
 
 TEST(Size, WhatNoImageHasIsRefused) {
-    for (const char* text : {"0x0", "0x1", "1x0", "-3x4", "16385x1", "1x16385", "384", "384x", "x288",
-                             "384x288x3", "384X288", "3.5x4", "", "99999999999999999999x1",
-                             "2147483648x2147483648", " 3x4"}) {
+    for (const char* text :
+         {"0x0", "0x1", "1x0", "-3x4", "16385x1", "1x16385", "384", "384x", "x288", "384x288x3",
+          "384X288", "3.5x4", "", "99999999999999999999x1", "2147483648x2147483648", " 3x4"}) {
         SCOPED_TRACE(text);
         expect_error([&] { static_cast<void>(parse_size(text)); }, 2, {"--size"});
     }

@@ -1,4 +1,5 @@
-// A disk that fills up while a run writes to it: a clear message, exit code 1, and nothing finished is lost.
+// A disk that fills up while a run writes to it: a clear message, exit code 1, and nothing finished
+// is lost.
 
 #include "core/base/error.hpp"
 #include "core/base/image_file.hpp"
@@ -56,9 +57,8 @@ class FullDisk : public ProgramTest {};
 
 TEST_F(FullDisk, EndsTheRunAndKeepsWhatIsFinished) {
     const SmallDisk disk(folder() / "disk");
-    std::printf("full disk by %s\n", disk.is_mounted()
-                                         ? "a tmpfs of 64 MiB"
-                                         : "RLIMIT_FSIZE: mounting is refused here");
+    std::printf("full disk by %s\n",
+                disk.is_mounted() ? "a tmpfs of 64 MiB" : "RLIMIT_FSIZE: mounting is refused here");
     RecordProperty("full_disk_by", disk.is_mounted() ? "tmpfs" : "RLIMIT_FSIZE");
     // Two rounds; the second is long enough to be met by the full disk.
     const std::string first = write("a.gltf", make_box_gltf(0.0));
@@ -125,8 +125,10 @@ TEST_F(FullDisk, ImagesAreWholeOrNotThere) {
             }
             EXPECT_FALSE(fs::exists(file)) << name;
         };
-        expect_failure("a.png", [&](const fs::path& file) { write_png(file, image, Domain::view); });
-        expect_failure("a.exr", [&](const fs::path& file) { write_exr(file, image, Domain::linear); });
+        expect_failure("a.png",
+                       [&](const fs::path& file) { write_png(file, image, Domain::view); });
+        expect_failure("a.exr",
+                       [&](const fs::path& file) { write_exr(file, image, Domain::linear); });
         disk.empty();
     }
     write_png(folder() / "images" / "a.png", image, Domain::view);

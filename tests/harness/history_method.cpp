@@ -67,13 +67,13 @@ MethodUnit make_history_method_unit(std::shared_ptr<HistoryLog> log) {
     unit.citation = "nobody's work: it counts";
     unit.content_hash = "none";
     unit.reported = false;
-    unit.parameters = describe_parameters(
-        "history_method", {real(&HistoryParams::strength, "strength")
-                               .range(0.0, 1.0)
-                               .unit("1")
-                               .meaning("Does nothing.")
-                               .inert("the method counts")
-                               .source("ours")});
+    unit.parameters =
+        describe_parameters("history_method", {real(&HistoryParams::strength, "strength")
+                                                   .range(0.0, 1.0)
+                                                   .unit("1")
+                                                   .meaning("Does nothing.")
+                                                   .inert("the method counts")
+                                                   .source("ours")});
     unit.presets = {{"default", "counts", {}, 1.0, 2.0, ""}};
     unit.map_target = [](const Target&) { return TargetMapping{{}, "it knows no radius"}; };
     unit.warm_frames = [](const ResolvedParameters&) { return kHistoryWarmFrames; };

@@ -1,6 +1,7 @@
 #pragma once
-// A method that counts: its visibility is 1 / (frames since its history was forgotten), and it writes down all that is
-// done to it. What the runner does shows in its images as well as in its log.
+// A method that counts: its visibility is 1 / (frames since its history was forgotten), and it
+// writes down all that is done to it. What the runner does shows in its images as well as in its
+// log.
 
 #include "core/contract/method.hpp"
 
@@ -31,7 +32,8 @@ struct HistoryLog {
 
 inline constexpr int kHistoryWarmFrames = 4;
 
-/// "history_method": reads the base, motion and the posed geometry, runs the passes history_method/first and /second.
+/// "history_method": reads the base, motion and the posed geometry, runs the passes
+/// history_method/first and /second.
 [[nodiscard]] MethodUnit make_history_method_unit(std::shared_ptr<HistoryLog> log);
 
 } // namespace alcove

@@ -162,9 +162,9 @@ TEST(Plan, MoreThanEightMethodsMakeTwoRoundsEachWithItsAnchorPair) {
 }
 
 TEST(Plan, IdsAreUniqueAndSafeAsFolders) {
-    const PlanRecord plan = plan_methods(
-        {"none#a/../b", "none#a/../b", "none#\xc3\x84 \"x\"\n,", "none#..", "none#A", "none#a",
-         "none#" + std::string(300, 'l'), "none#harness", "none#reference"});
+    const PlanRecord plan =
+        plan_methods({"none#a/../b", "none#a/../b", "none#\xc3\x84 \"x\"\n,", "none#..", "none#A",
+                      "none#a", "none#" + std::string(300, 'l'), "none#harness", "none#reference"});
     std::set<std::string> rounds;
     for (const RoundRecord& round : plan.rounds) {
         EXPECT_TRUE(rounds.insert(round.id).second) << round.id;

@@ -24,7 +24,8 @@ std::string encode_base64(const std::string& bytes) {
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t word = 0;
         for (std::size_t k = 0; k < 3; ++k) {
-            const unsigned char byte = i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0;
+            const unsigned char byte =
+                i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0;
             word = word << 8 | byte;
         }
         for (int k = 0; k < 4; ++k) {
@@ -46,11 +47,17 @@ void append(std::string& bytes, T value) {
 
 std::unique_ptr<TemporaryFolder> ProgramTest::s_folder;
 
-void ProgramTest::SetUpTestSuite() { s_folder = std::make_unique<TemporaryFolder>(); }
+void ProgramTest::SetUpTestSuite() {
+    s_folder = std::make_unique<TemporaryFolder>();
+}
 
-void ProgramTest::TearDownTestSuite() { s_folder.reset(); }
+void ProgramTest::TearDownTestSuite() {
+    s_folder.reset();
+}
 
-fs::path ProgramTest::program() { return ALCOVE_PROGRAM; }
+fs::path ProgramTest::program() {
+    return ALCOVE_PROGRAM;
+}
 
 ChildOptions ProgramTest::with_cache(ChildOptions options) {
     options.environment.emplace("ALCOVE_CACHE", (folder() / "cache").string());
@@ -124,9 +131,9 @@ std::string make_box_gltf(double turn) {
         }
     }
     const std::size_t positions = bytes.size();
-    constexpr std::array<std::uint16_t, 42> kIndices{
-        2, 3, 7, 2, 7, 6, 1, 0, 4, 1, 4, 5, 3, 1, 5, 3, 5, 7, 0, 2, 6, 0, 6, 4, 6, 7, 5, 6, 5, 4,
-        0, 1, 3, 0, 3, 2, 10, 11, 9, 10, 9, 8};
+    constexpr std::array<std::uint16_t, 42> kIndices{2, 3, 7, 2, 7, 6, 1, 0, 4,  1,  4, 5,  3, 1,
+                                                     5, 3, 5, 7, 0, 2, 6, 0, 6,  4,  6, 7,  5, 6,
+                                                     5, 4, 0, 1, 3, 0, 3, 2, 10, 11, 9, 10, 9, 8};
     for (const std::uint16_t index : kIndices) {
         append(bytes, index);
     }
@@ -134,7 +141,8 @@ std::string make_box_gltf(double turn) {
     const std::string half_cosine = std::to_string(std::cos(0.5 * turn));
     const auto text = [](std::size_t number) { return std::to_string(number); };
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"rotation":[0,)" +
-           half_sine + ",0," + half_cosine + R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)" +
+           half_sine + ",0," + half_cosine +
+           R"(]}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)" +
            R"("accessors":[{"bufferView":0,"componentType":5126,"count":12,"type":"VEC3","min":[-3,-0.1,-3],"max":[3,1,3]},)" +
            R"({"bufferView":1,"componentType":5123,"count":42,"type":"SCALAR"}],)" +
            R"("bufferViews":[{"buffer":0,"byteLength":)" + text(positions) +

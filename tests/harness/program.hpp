@@ -1,5 +1,6 @@
 #pragma once
-// `alcove` as people call it, in a folder and with a cache of the test's own; and what its runs leave behind.
+// `alcove` as people call it, in a folder and with a cache of the test's own; and what its runs
+// leave behind.
 
 #include "tests/harness/child_process.hpp"
 #include "tests/harness/temporary_folder.hpp"
@@ -36,10 +37,12 @@ class ProgramTest : public testing::Test {
 };
 
 /// "round cell segment frame state" -> image hash, for every row of a run's metrics.csv.
-[[nodiscard]] std::map<std::string, std::string> read_image_hashes(const std::filesystem::path& run);
+[[nodiscard]] std::map<std::string, std::string>
+read_image_hashes(const std::filesystem::path& run);
 [[nodiscard]] std::size_t count_lines(const std::filesystem::path& file);
 
-/// A box of 1 m on a floor of 6 m as glTF with its buffer inside; `turn` in radians about the upright axis.
+/// A box of 1 m on a floor of 6 m as glTF with its buffer inside; `turn` in radians about the
+/// upright axis.
 [[nodiscard]] std::string make_box_gltf(double turn = 0.0);
 
 } // namespace alcove

@@ -167,8 +167,8 @@ TEST_F(References, OneStoreTellsItsScenesApart) {
 TEST_F(References, AWorldThatMovedAsAWholeKeepsItsReferences) {
     const TestScene here = make_box_scene();
     const ReferencePair traced = get(here);
-    // A power of two keeps every bit of the cameras' and objects' places above 2^-29 m; the test scene's cameras stand
-    // on decimal fractions, so they are put on binary ones first.
+    // A power of two keeps every bit of the cameras' and objects' places above 2^-29 m; the test
+    // scene's cameras stand on decimal fractions, so they are put on binary ones first.
     const TestScene there = make_box_scene(glm::dvec3(8388608.0, 0.0, -8388608.0));
     FrameView view = make_view(here);
     FrameView moved = make_view(there);

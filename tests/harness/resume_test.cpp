@@ -41,9 +41,9 @@ class Resume : public ProgramTest {
         return true;
     }
     static std::vector<std::string> make_arguments(const std::string& out) {
-        std::vector<std::string> arguments{"run", "--method", "hemisphere_ssao", "--method", "none",
-                                           "--size", "160x120", "--frames", "0:16", "--repeat", "4",
-                                           "--out", out};
+        std::vector<std::string> arguments{
+            "run",      "--method", "hemisphere_ssao", "--method", "none",  "--size", "160x120",
+            "--frames", "0:16",     "--repeat",        "4",        "--out", out};
         for (int i = 0; i < kRounds; ++i) {
             arguments.emplace_back("--scene");
             arguments.push_back("scene" + std::to_string(i) + ".gltf");
@@ -113,7 +113,8 @@ TEST_F(Resume, KilledAtFiveMomentsEndsLikeAnUninterruptedRun) {
     EXPECT_TRUE(RunFolder::open(run_folder).is_complete());
     EXPECT_EQ(read_image_hashes(run_folder), read_image_hashes(folder() / "whole"));
     for (const char* table : {"samples.csv", "metrics.csv", "summary.csv"}) {
-        EXPECT_EQ(count_lines(run_folder / table), count_lines(folder() / "whole" / table)) << table;
+        EXPECT_EQ(count_lines(run_folder / table), count_lines(folder() / "whole" / table))
+            << table;
     }
     for (const auto& [round, text] : bytes) {
         EXPECT_EQ(read_file(run_folder / "rounds" / round / "samples.csv"), text) << round;

@@ -12,7 +12,9 @@ class CutScene final : public Scene {
         : m_scene(std::move(scene)), m_walkthrough(m_scene->get_walkthrough()) {
         m_walkthrough.cuts = {0, kCutFrame};
     }
-    [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_scene->get_meshes(); }
+    [[nodiscard]] std::span<const Mesh> get_meshes() const override {
+        return m_scene->get_meshes();
+    }
     [[nodiscard]] std::span<const Object> get_objects() const override {
         return m_scene->get_objects();
     }
@@ -30,7 +32,8 @@ class CutScene final : public Scene {
 
 } // namespace
 
-RoundRunnerTest::RoundRunnerTest() : m_cache("ALCOVE_CACHE", (m_folder.path() / "cache").string()) {}
+RoundRunnerTest::RoundRunnerTest()
+    : m_cache("ALCOVE_CACHE", (m_folder.path() / "cache").string()) {}
 
 void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, std::uint64_t seed,
                           const RoundEvents& events) {

@@ -1,4 +1,5 @@
-// Cold and converged (DESIGN 3.5), as a method with a history sees them and as its images show them.
+// Cold and converged (DESIGN 3.5), as a method with a history sees them and as its images show
+// them.
 
 #include "core/base/hash.hpp"
 #include "tests/harness/round_runner_fixture.hpp"
@@ -9,7 +10,8 @@
 namespace alcove {
 namespace {
 
-/// Frames since the reset that each render of one repeat sees, in order: a burst 0..3 with a cut at 2, three singles.
+/// Frames since the reset that each render of one repeat sees, in order: a burst 0..3 with a cut at
+/// 2, three singles.
 constexpr std::array kColdCounts{1, 2, 1, 2, 1, 1, 1};
 constexpr std::array kColdFrames{0, 1, 2, 3, 10, 20, 30};
 /// DESIGN 3.5: times of 8 held frames.
@@ -57,7 +59,8 @@ void expect_cold(const std::vector<HistoryEntry>& replay) {
     }
 }
 
-/// From `first`: warm_frames() frames, then `shown` more, all of one held pose and starting from nothing.
+/// From `first`: warm_frames() frames, then `shown` more, all of one held pose and starting from
+/// nothing.
 void expect_held(const std::vector<HistoryEntry>& replay, std::size_t first, int frame, int shown) {
     for (int i = 0; i < kHistoryWarmFrames + shown; ++i) {
         const HistoryEntry& entry = replay.at(first + static_cast<std::size_t>(i));

@@ -31,8 +31,8 @@ std::vector<SampleRow> keep_method_rows(std::vector<SampleRow> rows) {
 std::map<std::string, std::string> list_hashes(const RoundResult& result) {
     std::map<std::string, std::string> hashes;
     for (const MetricRow& row : result.metrics) {
-        hashes[row.cell + " " + std::to_string(row.segment) + " " + std::to_string(row.frame) + " " +
-               std::string(to_text(row.state))] = row.image_hash;
+        hashes[row.cell + " " + std::to_string(row.segment) + " " + std::to_string(row.frame) +
+               " " + std::string(to_text(row.state))] = row.image_hash;
     }
     return hashes;
 }
@@ -52,8 +52,7 @@ TEST_F(RoundRunnerTest, RepeatPlusFrameOddIsDividedEvenIsOneEnvelope) {
     run({"history_method", "template_method"}, 3);
     const std::vector<std::string> ids{cell(0).id, cell(1).id, "anchor-a", "anchor-b"};
     for (const std::string& id : ids) {
-        const auto frames =
-            group_by_frame(keep_method_rows(find_samples(id, SampleState::cold)));
+        const auto frames = group_by_frame(keep_method_rows(find_samples(id, SampleState::cold)));
         ASSERT_EQ(frames.size(), 3u * kRoundFrames) << id;
         for (const auto& [key, rows] : frames) {
             const bool divided = (std::get<0>(key) + std::get<2>(key)) % 2 != 0;
@@ -230,8 +229,8 @@ TEST_F(RoundRunnerTest, TheSecondTimeReferencesComeFromTheCacheAndChangeNothing)
 TEST_F(RoundRunnerTest, PartsOfTheWallTimeDoNotExceedIt) {
     run({"template_method", "history_method"});
     const RoundDone& done = m_result.done;
-    for (const double part : {done.gbuffer_s, done.passes_s, done.metrics_s, done.reference_s,
-                              done.images_s}) {
+    for (const double part :
+         {done.gbuffer_s, done.passes_s, done.metrics_s, done.reference_s, done.images_s}) {
         EXPECT_GT(part, 0.0);
     }
     EXPECT_LE(done.gbuffer_s + done.passes_s + done.metrics_s + done.reference_s + done.images_s,

@@ -19,15 +19,31 @@ Ranges list_ranges(const std::vector<SegmentRecord>& segments) {
 }
 
 TEST(Segments, DefaultOfTheShippedWalkthroughsIsThreeBurstsAndEightSingles) {
-    EXPECT_EQ(list_ranges(make_default_segments(120)),
-              (Ranges{{0, 16}, {52, 68}, {104, 120}, {7, 8}, {22, 23}, {37, 38}, {52, 53},
-                      {67, 68}, {82, 83}, {97, 98}, {112, 113}}));
+    EXPECT_EQ(list_ranges(make_default_segments(120)), (Ranges{{0, 16},
+                                                               {52, 68},
+                                                               {104, 120},
+                                                               {7, 8},
+                                                               {22, 23},
+                                                               {37, 38},
+                                                               {52, 53},
+                                                               {67, 68},
+                                                               {82, 83},
+                                                               {97, 98},
+                                                               {112, 113}}));
 }
 
 TEST(Segments, DefaultOfALongWalkthroughReachesBothEnds) {
-    EXPECT_EQ(list_ranges(make_default_segments(3500)),
-              (Ranges{{0, 16}, {1742, 1758}, {3484, 3500}, {218, 219}, {656, 657}, {1093, 1094},
-                      {1531, 1532}, {1968, 1969}, {2406, 2407}, {2843, 2844}, {3281, 3282}}));
+    EXPECT_EQ(list_ranges(make_default_segments(3500)), (Ranges{{0, 16},
+                                                                {1742, 1758},
+                                                                {3484, 3500},
+                                                                {218, 219},
+                                                                {656, 657},
+                                                                {1093, 1094},
+                                                                {1531, 1532},
+                                                                {1968, 1969},
+                                                                {2406, 2407},
+                                                                {2843, 2844},
+                                                                {3281, 3282}}));
 }
 
 TEST(Segments, BurstsOfTheShortestThatHasThreeMeetAndDoNotOverlap) {
@@ -40,9 +56,9 @@ TEST(Segments, ShorterWalkthroughsHaveOneBurst) {
     const Ranges ranges = list_ranges(make_default_segments(47));
     EXPECT_EQ(ranges.front(), (std::pair<int, int>{0, 16}));
     EXPECT_EQ(ranges.size(), 9u);
-    EXPECT_EQ(list_ranges(make_default_segments(20)),
-              (Ranges{{0, 16}, {1, 2}, {3, 4}, {6, 7}, {8, 9}, {11, 12}, {13, 14}, {16, 17},
-                      {18, 19}}));
+    EXPECT_EQ(
+        list_ranges(make_default_segments(20)),
+        (Ranges{{0, 16}, {1, 2}, {3, 4}, {6, 7}, {8, 9}, {11, 12}, {13, 14}, {16, 17}, {18, 19}}));
     // Fewer frames than singles: each frame once.
     EXPECT_EQ(list_ranges(make_default_segments(3)), (Ranges{{0, 3}, {0, 1}, {1, 2}, {2, 3}}));
 }
@@ -78,8 +94,8 @@ TEST(Segments, FramesAreAHalfOpenRange) {
 }
 
 TEST(Segments, FramesThatAreNoRangeOfTheWalkthroughAreRefused) {
-    for (const char* text : {"", "3", "3:4:5", "3:3", "4:3", "-1:3", "0:11", "a:b", "0:1.5", "0x1:2",
-                             ":", "0:", "99999999999999999999:1"}) {
+    for (const char* text : {"", "3", "3:4:5", "3:3", "4:3", "-1:3", "0:11", "a:b", "0:1.5",
+                             "0x1:2", ":", "0:", "99999999999999999999:1"}) {
         SCOPED_TRACE(text);
         expect_error([&] { static_cast<void>(parse_frames(text, 10)); }, 2, {"--frames"});
     }

@@ -1,5 +1,5 @@
-// The house rules that a compiler does not know (DESIGN 2): who may include whom, what stays in .cpp files, which
-// folders are units, and which rooms have no OpenGL.
+// The house rules that a compiler does not know (DESIGN 2): who may include whom, what stays in
+// .cpp files, which folders are units, and which rooms have no OpenGL.
 
 #include <algorithm>
 #include <array>
@@ -48,8 +48,8 @@ std::vector<SourceFile> list_sources(std::initializer_list<std::string_view> ext
             const std::string extension = entry.path().extension().string();
             if (entry.is_regular_file() &&
                 std::find(extensions.begin(), extensions.end(), extension) != extensions.end()) {
-                files.push_back({fs::relative(entry.path(), kRoot).generic_string(),
-                                 read_lines(entry.path())});
+                files.push_back(
+                    {fs::relative(entry.path(), kRoot).generic_string(), read_lines(entry.path())});
             }
         }
     }
@@ -95,8 +95,7 @@ const std::vector<Rule>& get_rules() {
         {"core/base", {}},
         {"core/contract/metric", {"core/base"}},
         {"core/contract/scene", {"core/base"}},
-        {"core/contract/method",
-         {"core/base", "core/gl", "core/frame", "core/contract/scene"}},
+        {"core/contract/method", {"core/base", "core/gl", "core/frame", "core/contract/scene"}},
         {"core/gl", {"core/base"}},
         {"core/frame", {"core/base", "core/gl", "core/contract/scene"}},
         {"metrics", {"core/base", "core/contract/metric"}},
@@ -114,7 +113,8 @@ const std::vector<Rule>& get_rules() {
 
 /// core/contract/metric.hpp is one contract, not part of a folder.
 bool belongs_to(std::string_view name, std::string_view who) {
-    return is_below(name, who) || (name.starts_with(who) && name.substr(who.size()).starts_with('.'));
+    return is_below(name, who) ||
+           (name.starts_with(who) && name.substr(who.size()).starts_with('.'));
 }
 
 const Rule* find_rule(const std::string& name) {
@@ -320,7 +320,8 @@ bool is_opengl(const std::string& name) {
 }
 
 TEST(Structure, SymbolsOfOpenGlAreToldFromOthers) {
-    for (const char* name : {"glClear", "glXGetProcAddress", "eglInitialize", "OSMesaMakeCurrent"}) {
+    for (const char* name :
+         {"glClear", "glXGetProcAddress", "eglInitialize", "OSMesaMakeCurrent"}) {
         EXPECT_TRUE(is_opengl(name)) << name;
     }
     for (const char* name : {"glob", "globfree", "gl", "eglantine", "_ZN3glm3dotE"}) {
