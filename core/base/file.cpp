@@ -150,7 +150,7 @@ fs::path resolve_inside(const fs::path& folder, std::string_view relative) {
                          "a relative path below it, without `..`");
     }
     const fs::path base = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder);
-    const fs::path joined = fs::weakly_canonical(base / path);
+    fs::path joined = fs::weakly_canonical(base / path);
     const auto [mismatch, unused] =
         std::mismatch(base.begin(), base.end(), joined.begin(), joined.end());
     static_cast<void>(unused);

@@ -43,6 +43,10 @@ void check_metric_input(const MetricInput& input, std::string_view metric, int s
     }
     check_finite(input.test, metric, "test");
     check_finite(input.reference, metric, "reference");
+    if (input.reference_a != nullptr) {
+        check_finite(*input.reference_a, metric, "reference half A");
+        check_finite(*input.reference_b, metric, "reference half B");
+    }
 }
 
 MetricResult evaluate_in_domain(const MetricUnit& unit, const Metric& metric,

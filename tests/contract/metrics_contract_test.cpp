@@ -87,6 +87,8 @@ TEST_P(MetricContract, NanAndInfinityThrow) {
                                                           Domain::linear)),
                      InputError)
             << "conversion must not hide it";
+        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &image, &good})), InputError);
+        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &good, &image})), InputError);
     }
 }
 
