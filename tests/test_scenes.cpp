@@ -9,8 +9,8 @@ namespace alcove {
 
 TestScene::TestScene(std::vector<Mesh> meshes, std::vector<glm::dmat4> transforms,
                      std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin)
-    : m_meshes(std::move(meshes)), m_transforms(std::move(transforms)),
-      m_ao_radius_m(ao_radius_m), m_origin(origin) {
+    : m_meshes(std::move(meshes)), m_transforms(std::move(transforms)), m_ao_radius_m(ao_radius_m),
+      m_origin(origin) {
     for (std::size_t i = 0; i < m_meshes.size(); ++i) {
         m_objects.push_back({m_meshes[i].name, i});
         m_transforms[i][3] += glm::dvec4(origin, 0.0);
@@ -23,7 +23,9 @@ TestScene::TestScene(std::vector<Mesh> meshes, std::vector<glm::dmat4> transform
     m_lights.directional = {{glm::normalize(glm::dvec3(0.3, 1.0, 0.4)), glm::vec3(1.5f)}};
 }
 
-Pose TestScene::compute_pose(double /*time_s*/) const { return {m_transforms}; }
+Pose TestScene::compute_pose(double /*time_s*/) const {
+    return {m_transforms};
+}
 
 Mesh make_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
     Mesh mesh;
@@ -98,7 +100,8 @@ Camera make_plane_camera() {
 } // namespace
 
 TestScene make_plane_scene(double tilt_radians) {
-    // Edge-on it would vanish behind the camera: 200 m to each side along the slope are cut at the camera's plane.
+    // Edge-on it would vanish behind the camera: 200 m to each side along the slope are cut at the
+    // camera's plane.
     const glm::dvec3 center(0.0, 0.0, -5.0);
     const glm::dvec3 right(200.0, 0.0, 0.0);
     const glm::dvec3 up(0.0, std::cos(tilt_radians), -std::sin(tilt_radians));
@@ -132,8 +135,11 @@ TestScene make_box_scene(const glm::dvec3& origin) {
                                    std::numbers::pi / 3.0, 0.1, 100.0);
     };
     std::vector<glm::dmat4> transforms(meshes.size(), glm::dmat4(1.0));
-    return {std::move(meshes), std::move(transforms),
-            {camera({1.5, 1.6, 3.6}), camera({1.6, 1.6, 3.55})}, 0.5, origin};
+    return {std::move(meshes),
+            std::move(transforms),
+            {camera({1.5, 1.6, 3.6}), camera({1.6, 1.6, 3.55})},
+            0.5,
+            origin};
 }
 
 } // namespace alcove

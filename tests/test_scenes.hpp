@@ -37,15 +37,16 @@ class TestScene final : public Scene {
 /// A sphere with smooth normals, `rings` x 2 `rings` quads.
 [[nodiscard]] Mesh make_sphere(const glm::vec3& center, float radius, int rings);
 
-/// A plane of 400 m that crosses the view axis at 5 m, turned by `tilt` radians about the x axis so that its top leans
-/// away. Camera at 0 looking along -z, FOV 60 degrees, near 0.1, far 1000; radius 0.5 m.
+/// A plane of 400 m that crosses the view axis at 5 m, turned by `tilt` radians about the x axis so
+/// that its top leans away. Camera at 0 looking along -z, FOV 60 degrees, near 0.1, far 1000;
+/// radius 0.5 m.
 [[nodiscard]] TestScene make_plane_scene(double tilt_radians);
 /// Ray parameter (= eye depth for directions of compute_pixel_direction) at that plane.
 [[nodiscard]] double intersect_test_plane(const glm::dvec3& eye, const glm::dvec3& direction,
                                           double tilt_radians);
 
-/// The canary: a floor, boxes in contact, a sphere and a thin post before open background, a wall over the left border; two frames with a moving
-/// camera; moved as a whole by `origin`.
+/// The canary: a floor, boxes in contact, a sphere and a thin post before open background, a wall
+/// over the left border; two frames with a moving camera; moved as a whole by `origin`.
 [[nodiscard]] TestScene make_box_scene(const glm::dvec3& origin = glm::dvec3(0.0));
 
 } // namespace alcove

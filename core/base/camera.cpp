@@ -18,7 +18,8 @@ bool is_finite(const glm::dvec3& v) {
 } // namespace
 
 Camera make_look_at_camera(const glm::dvec3& position, const glm::dvec3& target,
-                           const glm::dvec3& up, double fov_y_radians, double near_m, double far_m) {
+                           const glm::dvec3& up, double fov_y_radians, double near_m,
+                           double far_m) {
     const glm::dvec3 backward = position - target;
     const glm::dvec3 right = glm::cross(up, backward);
     if (!is_finite(position) || !is_finite(target) || !is_finite(up) ||

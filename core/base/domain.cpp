@@ -25,7 +25,9 @@ Image map_values(const Image& image, Function function) {
 
 } // namespace
 
-std::string_view to_text(Domain domain) { return kDomains.at(static_cast<std::size_t>(domain)); }
+std::string_view to_text(Domain domain) {
+    return kDomains.at(static_cast<std::size_t>(domain));
+}
 
 Domain parse_domain(std::string_view text) {
     const std::vector<std::string> names(kDomains.begin(), kDomains.end());
@@ -46,7 +48,9 @@ float decode_srgb(float code) {
     return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
 }
 
-Image encode_view(const Image& linear) { return map_values(linear, encode_srgb); }
+Image encode_view(const Image& linear) {
+    return map_values(linear, encode_srgb);
+}
 
 Image convert_for_metric(const Image& image, Domain domain, MetricDomain wanted) {
     if (wanted == MetricDomain::view) {
@@ -62,8 +66,8 @@ Image compute_luma(const Image& image) {
     const std::span<float> out = luma.values();
     for (std::size_t i = 0; i < out.size(); ++i) {
         const float* pixel = in.data() + i * channels;
-        out[i] = channels < 3 ? pixel[0]
-                              : 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
+        out[i] =
+            channels < 3 ? pixel[0] : 0.2126f * pixel[0] + 0.7152f * pixel[1] + 0.0722f * pixel[2];
     }
     return luma;
 }

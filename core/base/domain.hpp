@@ -1,5 +1,6 @@
 #pragma once
-// Domains of images (DESIGN 3.10): what the values of a file mean, and on which of them a metric works.
+// Domains of images (DESIGN 3.10): what the values of a file mean, and on which of them a metric
+// works.
 
 #include "core/base/image.hpp"
 
@@ -7,8 +8,8 @@
 
 namespace alcove {
 
-/// srgb: display codes in [0,1], used as they are. linear: linear radiance. visibility: linear, one channel.
-/// view: what eyes get, sRGB-encoded once from visibility or tone-mapped radiance.
+/// srgb: display codes in [0,1], used as they are. linear: linear radiance. visibility: linear, one
+/// channel. view: what eyes get, sRGB-encoded once from visibility or tone-mapped radiance.
 enum class Domain { srgb, linear, visibility, view };
 
 [[nodiscard]] std::string_view to_text(Domain domain);
@@ -23,12 +24,14 @@ enum class Domain { srgb, linear, visibility, view };
 enum class MetricDomain { values, view };
 
 /// Turns an image of `domain` into what a metric of `wanted` runs on.
-/// values: srgb codes as they are, linear as it is, visibility as it is; a view of visibility stored as codes is decoded
-/// to linear visibility, so that EXR and PNG of one image give the same numbers up to quantisation.
-/// view: srgb and view as they are; linear and visibility clamped to [0,1] and sRGB-encoded.
+/// values: srgb codes as they are, linear as it is, visibility as it is; a view of visibility
+/// stored as codes is decoded to linear visibility, so that EXR and PNG of one image give the same
+/// numbers up to quantisation. view: srgb and view as they are; linear and visibility clamped to
+/// [0,1] and sRGB-encoded.
 [[nodiscard]] Image convert_for_metric(const Image& image, Domain domain, MetricDomain wanted);
 
-/// Rec. 709 luma (0.2126, 0.7152, 0.0722) of a three- or four-channel image; a copy of the first channel otherwise.
+/// Rec. 709 luma (0.2126, 0.7152, 0.0722) of a three- or four-channel image; a copy of the first
+/// channel otherwise.
 [[nodiscard]] Image compute_luma(const Image& image);
 
 /// sRGB encoding of every value.

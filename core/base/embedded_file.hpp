@@ -1,5 +1,6 @@
 #pragma once
-// A file of the tree that was compiled into the binary (cmake/embed_files.cmake), so that it runs from anywhere.
+// A file of the tree that was compiled into the binary (cmake/embed_files.cmake), so that it runs
+// from anywhere.
 
 #include <span>
 #include <string_view>

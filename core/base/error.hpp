@@ -1,5 +1,6 @@
 #pragma once
-// Errors that are thrown: bad input and failing devices. Only main catches them and turns them into an exit code.
+// Errors that are thrown: bad input and failing devices. Only main catches them and turns them into
+// an exit code.
 
 #include <stdexcept>
 #include <string>
@@ -18,7 +19,8 @@ class Error : public std::runtime_error {
     int m_exit_code;
 };
 
-/// Wrong usage or bad input: exit code 2. The message names the place, what is wrong, what was found, what was expected.
+/// Wrong usage or bad input: exit code 2. The message names the place, what is wrong, what was
+/// found, what was expected.
 class InputError : public Error {
   public:
     explicit InputError(const std::string& message) : Error(2, message) {}

@@ -6,7 +6,8 @@
 
 namespace alcove {
 
-/// Evaluates `text`; `lookup` gives the value of a name or throws. Throws InputError with the offending position.
+/// Evaluates `text`; `lookup` gives the value of a name or throws. Throws InputError with the
+/// offending position.
 [[nodiscard]] double evaluate_expression(std::string_view text,
                                          const std::function<double(std::string_view)>& lookup);
 

@@ -107,8 +107,8 @@ void create_output_folder(const fs::path& path) {
         const Descriptor descriptor(
             ::open(probe.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
         if (descriptor.get() < 0) {
-            throw InputError(path.string(),
-                             std::string("cannot write to the output folder: ") + std::strerror(errno));
+            throw InputError(path.string(), std::string("cannot write to the output folder: ") +
+                                                std::strerror(errno));
         }
     }
     ::unlink(probe.c_str());

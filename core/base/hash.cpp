@@ -11,9 +11,13 @@ struct Hasher::State {
     XXH3_state_t* xxh = XXH3_createState();
 };
 
-Hasher::Hasher() : m_state(std::make_unique<State>()) { XXH3_128bits_reset(m_state->xxh); }
+Hasher::Hasher() : m_state(std::make_unique<State>()) {
+    XXH3_128bits_reset(m_state->xxh);
+}
 
-Hasher::~Hasher() { XXH3_freeState(m_state->xxh); }
+Hasher::~Hasher() {
+    XXH3_freeState(m_state->xxh);
+}
 
 Hasher& Hasher::add_bytes(std::span<const std::byte> bytes) {
     XXH3_128bits_update(m_state->xxh, bytes.data(), bytes.size());
@@ -25,7 +29,9 @@ Hasher& Hasher::add(std::string_view text) {
     return add_bytes(std::as_bytes(std::span(text.data(), text.size())));
 }
 
-std::uint64_t Hasher::finish64() const { return XXH3_128bits_digest(m_state->xxh).low64; }
+std::uint64_t Hasher::finish64() const {
+    return XXH3_128bits_digest(m_state->xxh).low64;
+}
 
 std::string Hasher::finish_hex() const {
     const XXH128_hash_t digest = XXH3_128bits_digest(m_state->xxh);

@@ -11,7 +11,8 @@
 
 namespace alcove {
 
-/// Streams values into one hash. Strings are hashed with their length, so that ("ab","c") != ("a","bc").
+/// Streams values into one hash. Strings are hashed with their length, so that ("ab","c") !=
+/// ("a","bc").
 class Hasher {
   public:
     Hasher();
@@ -23,8 +24,7 @@ class Hasher {
     Hasher& add(std::string_view text);
     /// Numbers by their bits. Padding-free types only.
     template <class T>
-        requires std::is_arithmetic_v<T>
-    Hasher& add(T value) {
+    requires std::is_arithmetic_v<T> Hasher& add(T value) {
         return add_bytes(std::as_bytes(std::span<const T, 1>(&value, 1)));
     }
 

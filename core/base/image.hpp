@@ -20,8 +20,8 @@ struct ImageSize {
     friend bool operator==(const ImageSize&, const ImageSize&) = default;
 };
 
-/// Interleaved 32-bit float channels; row 0 is the top row. What the values mean (linear radiance, visibility,
-/// sRGB codes) is said where an image is made, see Domain.
+/// Interleaved 32-bit float channels; row 0 is the top row. What the values mean (linear radiance,
+/// visibility, sRGB codes) is said where an image is made, see Domain.
 class Image {
   public:
     Image() = default;
@@ -34,7 +34,9 @@ class Image {
     [[nodiscard]] int channels() const noexcept { return m_channels; }
     [[nodiscard]] bool empty() const noexcept { return m_values.empty(); }
 
-    [[nodiscard]] float& at(int x, int y, int channel = 0) { return m_values[index(x, y, channel)]; }
+    [[nodiscard]] float& at(int x, int y, int channel = 0) {
+        return m_values[index(x, y, channel)];
+    }
     [[nodiscard]] float at(int x, int y, int channel = 0) const {
         return m_values[index(x, y, channel)];
     }

@@ -1,6 +1,6 @@
 #pragma once
-// PNG and EXR files (OpenImageIO). A file says what its values mean in the metadata `alcove:domain`; pixel order is
-// top row first in both.
+// PNG and EXR files (OpenImageIO). A file says what its values mean in the metadata
+// `alcove:domain`; pixel order is top row first in both.
 
 #include "core/base/domain.hpp"
 #include "core/base/image.hpp"
@@ -15,8 +15,9 @@ struct ImageFile {
     Domain domain = Domain::linear;
 };
 
-/// Reads a file. `domain` overrides; otherwise the file's metadata, else srgb for integer files, linear for float ones.
-/// Throws InputError if the file is missing, unreadable, truncated or larger than 2^28 values.
+/// Reads a file. `domain` overrides; otherwise the file's metadata, else srgb for integer files,
+/// linear for float ones. Throws InputError if the file is missing, unreadable, truncated or larger
+/// than 2^28 values.
 [[nodiscard]] ImageFile read_image_file(const std::filesystem::path& path,
                                         std::optional<Domain> domain = std::nullopt);
 
@@ -26,7 +27,8 @@ enum class ExrType { half_float, full_float };
 void write_exr(const std::filesystem::path& path, const Image& image, Domain domain,
                ExrType type = ExrType::full_float);
 
-/// Writes an 8-bit PNG of values in [0,1] (clamped, rounded), atomically; the values must already be display codes.
+/// Writes an 8-bit PNG of values in [0,1] (clamped, rounded), atomically; the values must already
+/// be display codes.
 void write_png(const std::filesystem::path& path, const Image& codes, Domain domain);
 
 } // namespace alcove

@@ -42,7 +42,8 @@ double as_number(const ParameterValue& value) {
     return *real_value;
 }
 
-/// Evaluates default expressions on demand, so that they may use each other in any order but not in a circle.
+/// Evaluates default expressions on demand, so that they may use each other in any order but not in
+/// a circle.
 class DefaultResolver {
   public:
     DefaultResolver(const ParameterTable& table, const ExpressionVariables& variables,

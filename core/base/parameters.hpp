@@ -1,8 +1,9 @@
 #pragma once
-// The parameter table: every knob of a unit is declared once, beside the plain struct it lives in. From the table come
-// the command line, --help, range errors, sweep axes, provenance in the run, report columns, the README's table and
-// the GLSL constants. A value out of range or an unknown name is an error, never a silent clamp: a benchmark must not
-// run another experiment than the one it was asked for.
+// The parameter table: every knob of a unit is declared once, beside the plain struct it lives in.
+// From the table come the command line, --help, range errors, sweep axes, provenance in the run,
+// report columns, the README's table and the GLSL constants. A value out of range or an unknown
+// name is an error, never a silent clamp: a benchmark must not run another experiment than the one
+// it was asked for.
 
 #include "core/base/assert.hpp"
 
@@ -31,18 +32,20 @@ struct ParameterInfo {
     std::string name;
     ParameterKind kind = ParameterKind::real;
     ParameterScale scale = ParameterScale::linear; ///< how sweeps step through the range
-    bool may_be_infinite = false;                  ///< `inf` is allowed although it is above `maximum`
-    double minimum = 0.0;                          ///< inclusive; numbers only
-    double maximum = 0.0;                          ///< inclusive; numbers only
-    std::vector<std::string> choices;              ///< enumerations only
-    std::string unit;                              ///< "m", "samples", "px", "1"
-    std::string symbol;                            ///< the paper's, may be empty
+    bool may_be_infinite = false;     ///< `inf` is allowed although it is above `maximum`
+    double minimum = 0.0;             ///< inclusive; numbers only
+    double maximum = 0.0;             ///< inclusive; numbers only
+    std::vector<std::string> choices; ///< enumerations only
+    std::string unit;                 ///< "m", "samples", "px", "1"
+    std::string symbol;               ///< the paper's, may be empty
     std::string meaning;
-    std::string source;                            ///< paper and section, or "ours"
-    ParameterValue default_value;                  ///< taken from the struct's initialiser
-    std::string default_expression;                ///< replaces default_value if not empty, see evaluate_expression
-    bool rebuild = false;      ///< compiled into the shaders as a constant; otherwise part of the uniform block
-    std::string inert_reason;  ///< why this parameter cannot change an image; empty for all that do
+    std::string source;           ///< paper and section, or "ours"
+    ParameterValue default_value; ///< taken from the struct's initialiser
+    std::string
+        default_expression; ///< replaces default_value if not empty, see evaluate_expression
+    bool rebuild =
+        false; ///< compiled into the shaders as a constant; otherwise part of the uniform block
+    std::string inert_reason; ///< why this parameter cannot change an image; empty for all that do
 };
 
 /// Where a value came from; later ones override earlier ones.
@@ -103,8 +106,8 @@ class ParameterTable {
     /// Reads and checks one value. Throws InputError naming unit, parameter, value and range.
     [[nodiscard]] ParameterValue parse(const ParameterInfo& info, std::string_view text) const;
 
-    /// Defaults, then the overrides in the order of their provenance. Default expressions are evaluated last, over the
-    /// values of the other parameters and `variables`. Throws InputError.
+    /// Defaults, then the overrides in the order of their provenance. Default expressions are
+    /// evaluated last, over the values of the other parameters and `variables`. Throws InputError.
     [[nodiscard]] ResolvedParameters resolve(std::span<const ParameterOverride> overrides,
                                              const ExpressionVariables& variables) const;
 
@@ -256,9 +259,10 @@ template <class Params, class Enum>
 [[nodiscard]] ParameterTable describe_parameters(std::string owner,
                                                  std::initializer_list<ParameterBuilder> builders);
 
-/// GLSL text of a set of values: a `const` for each `rebuild` parameter, one std140 block `ParameterBlock` (all members
-/// four bytes wide, in table order) for the rest, and a `const int` for every choice of an enumeration. Names get the
-/// prefix `param_`; `param_weighting_cosine` is a choice's value.
+/// GLSL text of a set of values: a `const` for each `rebuild` parameter, one std140 block
+/// `ParameterBlock` (all members four bytes wide, in table order) for the rest, and a `const int`
+/// for every choice of an enumeration. Names get the prefix `param_`; `param_weighting_cosine` is a
+/// choice's value.
 [[nodiscard]] std::string make_glsl_parameters(const ParameterTable& table,
                                                const ResolvedParameters& resolved);
 /// The bytes of that block, padded to 16; empty if every parameter is `rebuild`.
@@ -268,7 +272,8 @@ template <class Params, class Enum>
 /// The table as GitHub Markdown, as it stands between two marks in the unit's README.
 [[nodiscard]] std::string make_markdown_table(const ParameterTable& table);
 
-/// Smallest and largest value of a parameter as text, the ends of a sweep and of the contract tests.
+/// Smallest and largest value of a parameter as text, the ends of a sweep and of the contract
+/// tests.
 [[nodiscard]] std::string get_extreme(const ParameterInfo& info, bool maximum);
 
 } // namespace alcove

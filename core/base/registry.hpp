@@ -1,5 +1,6 @@
 #pragma once
-// The list of a room's units (methods, metrics, scenes), made from the room's CMakeLists.txt. A value, not a global.
+// The list of a room's units (methods, metrics, scenes), made from the room's CMakeLists.txt. A
+// value, not a global.
 
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"

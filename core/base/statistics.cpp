@@ -22,7 +22,9 @@ double compute_quantile(std::span<const double> values, double p) {
     return sorted[below] + fraction * (sorted[above] - sorted[below]);
 }
 
-double compute_median(std::span<const double> values) { return compute_quantile(values, 0.5); }
+double compute_median(std::span<const double> values) {
+    return compute_quantile(values, 0.5);
+}
 
 double compute_mean(std::span<const double> values) {
     ALCOVE_ASSERT(!values.empty(), "a mean of something");

@@ -31,11 +31,15 @@ Enum parse_choice(std::string_view what, std::string_view text,
 
 } // namespace
 
-std::string_view to_text(Falloff falloff) { return kFalloffs.at(static_cast<std::size_t>(falloff)); }
+std::string_view to_text(Falloff falloff) {
+    return kFalloffs.at(static_cast<std::size_t>(falloff));
+}
 std::string_view to_text(Weighting weighting) {
     return kWeightings.at(static_cast<std::size_t>(weighting));
 }
-std::string_view to_text(Normals normals) { return kNormals.at(static_cast<std::size_t>(normals)); }
+std::string_view to_text(Normals normals) {
+    return kNormals.at(static_cast<std::size_t>(normals));
+}
 
 Falloff parse_falloff(std::string_view text) {
     return parse_choice<Falloff>("falloff", text, kFalloffs);

@@ -1,16 +1,20 @@
 #pragma once
-// What ambient occlusion is asked for. Belongs to the experiment, the cell and every error that is printed.
+// What ambient occlusion is asked for. Belongs to the experiment, the cell and every error that is
+// printed.
 
 #include <string>
 #include <string_view>
 
 namespace alcove {
 
-/// Weight of a hit at distance d within the radius r: none 1, linear 1 - d/r, quadratic 1 - (d/r)^2.
+/// Weight of a hit at distance d within the radius r: none 1, linear 1 - d/r, quadratic 1 -
+/// (d/r)^2.
 enum class Falloff { none, linear, quadratic };
-/// Weight of a direction: cosine to the normal (over pi), or uniform over the hemisphere (over 2 pi).
+/// Weight of a direction: cosine to the normal (over pi), or uniform over the hemisphere (over 2
+/// pi).
 enum class Weighting { cosine, uniform };
-/// Which normal spans the hemisphere: interpolated vertex normals, or the triangle's, turned to the viewer.
+/// Which normal spans the hemisphere: interpolated vertex normals, or the triangle's, turned to the
+/// viewer.
 enum class Normals { shading, geometric };
 
 /// The default is the default of a run, but for the radius, which comes from the scene.
@@ -31,11 +35,13 @@ struct Target {
 [[nodiscard]] Weighting parse_weighting(std::string_view text);
 [[nodiscard]] Normals parse_normals(std::string_view text);
 
-/// "radius=0.5,falloff=linear,weighting=cosine,normals=shading", radius in metres: parse_target reads it back.
+/// "radius=0.5,falloff=linear,weighting=cosine,normals=shading", radius in metres: parse_target
+/// reads it back.
 [[nodiscard]] std::string describe(const Target& target);
 
 /// Reads "radius=R,falloff=F,weighting=W,normals=N" over `base`, which gives what is not named.
-/// Throws InputError on unknown keys, a radius that is not positive and finite, or a key given twice.
+/// Throws InputError on unknown keys, a radius that is not positive and finite, or a key given
+/// twice.
 [[nodiscard]] Target parse_target(std::string_view text, const Target& base);
 
 } // namespace alcove

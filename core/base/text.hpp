@@ -13,7 +13,8 @@ namespace alcove {
 /// `digits` significant digits, without exponent where that is readable: for people, not for files.
 [[nodiscard]] std::string format_rounded(double value, int digits = 3);
 
-/// Reads one number that fills the whole text; "inf" is accepted, NaN is not. Throws InputError naming `where`.
+/// Reads one number that fills the whole text; "inf" is accepted, NaN is not. Throws InputError
+/// naming `where`.
 [[nodiscard]] double parse_number(std::string_view text, std::string_view where);
 /// Same for integers. Throws InputError.
 [[nodiscard]] std::int64_t parse_integer(std::string_view text, std::string_view where);

@@ -1,7 +1,8 @@
 #pragma once
-// The contract of a method: from the G-buffer channels it declared, and its own history, to a visibility image, a
-// radiance image, or both. Visibility: 1 = open, 0 = blocked, linear, R32F, background exactly 1.
-// A method never includes another method; what two share lives in methods/common.
+// The contract of a method: from the G-buffer channels it declared, and its own history, to a
+// visibility image, a radiance image, or both. Visibility: 1 = open, 0 = blocked, linear, R32F,
+// background exactly 1. A method never includes another method; what two share lives in
+// methods/common.
 
 #include "core/base/parameters.hpp"
 #include "core/base/registry.hpp"
@@ -21,7 +22,8 @@
 
 namespace alcove {
 
-/// What a method declares that it reads. May depend on its parameters; channels beyond the base are charged to it.
+/// What a method declares that it reads. May depend on its parameters; channels beyond the base are
+/// charged to it.
 struct MethodRequests {
     ChannelSet channels{Channel::eye_depth, Channel::normal};
     bool posed_geometry = false;
@@ -33,7 +35,8 @@ struct MethodInputs {
     const GBuffer& gbuffer;
     const PosedGeometry* geometry = nullptr; ///< only if requested
     const Lights* lights = nullptr;
-    std::uint32_t noise_seed = 0; ///< belongs to the harness: equal seeds and frames give equal images
+    std::uint32_t noise_seed =
+        0; ///< belongs to the harness: equal seeds and frames give equal images
 };
 
 /// What it leaves. Textures stay the method's and hold until the next call. Not both null.
@@ -50,28 +53,31 @@ class Method {
     Method& operator=(const Method&) = delete;
 
     [[nodiscard]] virtual MethodRequests get_requests() const { return {}; }
-    /// Allocates for this size. Called before the first frame and whenever the size changes; implies reset_history.
+    /// Allocates for this size. Called before the first frame and whenever the size changes;
+    /// implies reset_history.
     virtual void resize(ImageSize size) = 0;
     /// Forgets all earlier frames. Called at each segment's start.
     virtual void reset_history() {}
-    /// Renders one frame; every GPU step lies in a scope of `passes`. GL state is as Context::reset_state leaves it.
+    /// Renders one frame; every GPU step lies in a scope of `passes`. GL state is as
+    /// Context::reset_state leaves it.
     [[nodiscard]] virtual MethodOutput render(const MethodInputs& inputs, PassRecorder& passes) = 0;
 };
 
 /// A named row over a method's parameters.
 struct Preset {
     std::string name;
-    std::string meaning;                ///< with its source where it is published
+    std::string meaning; ///< with its source where it is published
     std::vector<ParameterOverride> overrides;
-    /// Largest |mean - plane response| of the contract's tilted planes at 0..60 degrees and at 75, in units of 1/255,
-    /// with the reason where it is not that of the default preset.
+    /// Largest |mean - plane response| of the contract's tilted planes at 0..60 degrees and at 75,
+    /// in units of 1/255, with the reason where it is not that of the default preset.
     double plane_tolerance = 1.0;
     double plane_tolerance_75 = 2.0;
     std::string plane_reason;
 };
 
-/// How a target becomes parameters: overrides, or the reason why the method cannot do it. What it can do in part (a
-/// falloff it lacks, with the radius mapped all the same) is said in `reason` beside the overrides.
+/// How a target becomes parameters: overrides, or the reason why the method cannot do it. What it
+/// can do in part (a falloff it lacks, with the radius mapped all the same) is said in `reason`
+/// beside the overrides.
 struct TargetMapping {
     std::vector<ParameterOverride> overrides;
     std::string reason; ///< empty if the whole target is mapped
@@ -80,21 +86,23 @@ struct TargetMapping {
 struct MethodUnit {
     std::string name;
     std::string title;
-    std::string citation; ///< author. title. year.
+    std::string citation;     ///< author. title. year.
     std::string folder;       ///< filled by the registry
     std::string content_hash; ///< filled by the registry
     bool reported = true;     ///< false for templates: compiled and tested, never reported
     bool has_passes = true;   ///< false: time 0 by definition, no ratio row
-    bool is_reference = false; ///< never part of a default suite: it is what others are held against
+    bool is_reference =
+        false; ///< never part of a default suite: it is what others are held against
     ParameterTable parameters;
     std::vector<Preset> presets; ///< the first is "default"
-    /// Visibility of an infinite plane: 1 for hemisphere estimators; nothing where the definition gives none.
+    /// Visibility of an infinite plane: 1 for hemisphere estimators; nothing where the definition
+    /// gives none.
     std::optional<double> plane_response;
     /// Overrides that give the method's own limit of many samples; nothing if it has none.
     std::optional<std::string> converged_preset;
     std::function<TargetMapping(const Target&)> map_target;
-    /// Frames of a held camera until the image no longer changes; 0 for a method without history. Known without a
-    /// device, because the plan says it.
+    /// Frames of a held camera until the image no longer changes; 0 for a method without history.
+    /// Known without a device, because the plan says it.
     std::function<int(const ResolvedParameters&)> warm_frames = [](const ResolvedParameters&) {
         return 0;
     };

@@ -27,8 +27,8 @@ void check_finite(const Image& image, std::string_view metric, std::string_view 
 
 void check_metric_input(const MetricInput& input, std::string_view metric, int smallest_side) {
     const auto same_shape = [&input](const Image* image) {
-        return image == nullptr || (image->size() == input.test.size() &&
-                                    image->channels() == input.test.channels());
+        return image == nullptr ||
+               (image->size() == input.test.size() && image->channels() == input.test.channels());
     };
     if (!same_shape(&input.reference) || !same_shape(input.reference_a) ||
         !same_shape(input.reference_b)) {

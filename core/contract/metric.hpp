@@ -1,6 +1,6 @@
 #pragma once
-// The contract of a metric: a pure function of images (and motion): a number, its direction, its domain, and a map where
-// that makes sense. No OpenGL, no files.
+// The contract of a metric: a pure function of images (and motion): a number, its direction, its
+// domain, and a map where that makes sense. No OpenGL, no files.
 
 #include "core/base/domain.hpp"
 #include "core/base/image.hpp"
@@ -16,8 +16,8 @@ namespace alcove {
 
 enum class Direction { lower_is_better, higher_is_better };
 
-/// What is compared. Both images have equal sizes and channels and are already in the metric's domain
-/// (convert_for_metric, and compute_luma for metrics that say `luma`).
+/// What is compared. Both images have equal sizes and channels and are already in the metric's
+/// domain (convert_for_metric, and compute_luma for metrics that say `luma`).
 struct MetricInput {
     const Image& test;
     const Image& reference; ///< the mean of the halves where there are halves
@@ -27,11 +27,13 @@ struct MetricInput {
 };
 
 struct MetricResult {
-    std::optional<double> value; ///< nothing where it is infinite or undefined
+    std::optional<double> value;  ///< nothing where it is infinite or undefined
     std::string undefined_reason; ///< says why there is no value
-    /// The value with the reference's noise taken out by cross products of the halves; only with halves.
+    /// The value with the reference's noise taken out by cross products of the halves; only with
+    /// halves.
     std::optional<double> debiased;
-    /// What the reference's own noise alone would give; a value below it means nothing. Only with halves.
+    /// What the reference's own noise alone would give; a value below it means nothing. Only with
+    /// halves.
     std::optional<double> floor;
     std::optional<Image> map; ///< one channel, the size that `map_offset` says
     int map_offset = 0;       ///< pixels cut off at each border of the map (valid region)
@@ -43,14 +45,16 @@ class Metric {
     virtual ~Metric() = default;
     Metric(const Metric&) = delete;
     Metric& operator=(const Metric&) = delete;
-    /// Throws InputError if sizes or channels differ, a value is NaN or infinite, or the image is too small for it.
+    /// Throws InputError if sizes or channels differ, a value is NaN or infinite, or the image is
+    /// too small for it.
     [[nodiscard]] virtual MetricResult evaluate(const MetricInput& input) const = 0;
 };
 
-/// A published or hand-computable pair that pins the definition; run by the contract tests and `metric --self-test`.
+/// A published or hand-computable pair that pins the definition; run by the contract tests and
+/// `metric --self-test`.
 struct MetricCheck {
     std::string name;
-    std::function<Image()> make_test;      ///< already in the metric's domain
+    std::function<Image()> make_test; ///< already in the metric's domain
     std::function<Image()> make_reference;
     double expected = 0.0;
     double tolerance = 0.0; ///< absolute
@@ -65,20 +69,21 @@ struct MetricUnit {
     std::string blind_to;   ///< what it cannot see
     Direction direction = Direction::lower_is_better;
     MetricDomain domain = MetricDomain::values;
-    bool luma = false; ///< colour images are reduced to Rec. 709 luma first
+    bool luma = false;     ///< colour images are reduced to Rec. 709 luma first
     int smallest_side = 1; ///< pixels; smaller images are an error
     double minimum = 0.0;
-    double maximum = 0.0;          ///< may be inf
-    std::optional<double> best;    ///< value of (x, x); nothing where that is undefined (psnr)
-    std::string folder;            ///< filled by the registry
-    std::string content_hash;      ///< filled by the registry
-    bool reported = true;          ///< false for the template
+    double maximum = 0.0;       ///< may be inf
+    std::optional<double> best; ///< value of (x, x); nothing where that is undefined (psnr)
+    std::string folder;         ///< filled by the registry
+    std::string content_hash;   ///< filled by the registry
+    bool reported = true;       ///< false for the template
     ParameterTable parameters;
     std::vector<MetricCheck> checks;
     std::function<std::unique_ptr<Metric>(const ResolvedParameters&)> create;
 };
 
-/// What every metric checks first. Throws InputError: sizes, channels, NaN (with its pixel and which image), smallest side.
+/// What every metric checks first. Throws InputError: sizes, channels, NaN (with its pixel and
+/// which image), smallest side.
 void check_metric_input(const MetricInput& input, std::string_view metric, int smallest_side = 1);
 
 /// Runs a metric on images of a domain: converts, reduces to luma, evaluates.

@@ -94,11 +94,11 @@ void check_scene(const Scene& scene, std::string_view where) {
         check_camera(camera, where);
     }
     const std::vector<int>& cuts = walkthrough.cuts;
-    const bool ascending = std::adjacent_find(cuts.begin(), cuts.end(), std::greater_equal<>{}) ==
-                           cuts.end();
-    if (!ascending || (!cuts.empty() && (cuts.front() < 0 ||
-                                         static_cast<std::size_t>(cuts.back()) >=
-                                             walkthrough.cameras.size()))) {
+    const bool ascending =
+        std::adjacent_find(cuts.begin(), cuts.end(), std::greater_equal<>{}) == cuts.end();
+    if (!ascending ||
+        (!cuts.empty() && (cuts.front() < 0 ||
+                           static_cast<std::size_t>(cuts.back()) >= walkthrough.cameras.size()))) {
         throw InputError(where, "cuts of the walkthrough are not ascending frames of it");
     }
     if (!(scene.get_ao_radius_m() > 0.0) || !std::isfinite(scene.get_ao_radius_m())) {

@@ -1,7 +1,7 @@
 #pragma once
-// The contract of a scene: geometry, materials, lights and animation, evaluated at a time t, with one walkthrough.
-// Metres, right-handed, +Y up (as glTF). No OpenGL. State comes from the time alone, never from a clock, and a scene
-// opened twice gives the same bits.
+// The contract of a scene: geometry, materials, lights and animation, evaluated at a time t, with
+// one walkthrough. Metres, right-handed, +Y up (as glTF). No OpenGL. State comes from the time
+// alone, never from a clock, and a scene opened twice gives the same bits.
 
 #include "core/base/camera.hpp"
 #include "core/base/parameters.hpp"
@@ -22,10 +22,10 @@ namespace alcove {
 /// Triangles in object space with one material.
 struct Mesh {
     std::string name;
-    std::vector<glm::vec3> positions;  ///< object space, metres
-    std::vector<glm::vec3> normals;    ///< unit, one a position: shading normals
+    std::vector<glm::vec3> positions;   ///< object space, metres
+    std::vector<glm::vec3> normals;     ///< unit, one a position: shading normals
     std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise seen from outside
-    glm::vec3 albedo{0.8f};            ///< linear Rec. 709 reflectance in [0,1]
+    glm::vec3 albedo{0.8f};             ///< linear Rec. 709 reflectance in [0,1]
 };
 
 /// One placed mesh. Its transform at a time is in Pose.
@@ -34,12 +34,14 @@ struct Object {
     std::size_t mesh = 0; ///< index into Scene::get_meshes
 };
 
-/// Where every object is at one time, in the order of Scene::get_objects. Affine, double: world may be far from 0.
+/// Where every object is at one time, in the order of Scene::get_objects. Affine, double: world may
+/// be far from 0.
 struct Pose {
     std::vector<glm::dmat4> object_to_world;
 };
 
-/// Light from infinitely far away, without shadow: what `direct` light a picture needs to be readable.
+/// Light from infinitely far away, without shadow: what `direct` light a picture needs to be
+/// readable.
 struct DirectionalLight {
     glm::dvec3 to_light{0.0, 1.0, 0.0}; ///< unit, world
     glm::vec3 irradiance{0.0f};         ///< on a surface that faces the light; linear Rec. 709
@@ -53,9 +55,9 @@ struct Lights {
 /// The recorded camera path that is replayed, one camera a frame.
 struct Walkthrough {
     std::string name = "default";
-    double step_s = 1.0 / 30.0;    ///< fixed time step
-    std::vector<Camera> cameras;   ///< one a frame, at least one
-    std::vector<int> cuts;         ///< frames whose history is invalid, ascending; frame 0 always is one
+    double step_s = 1.0 / 30.0;  ///< fixed time step
+    std::vector<Camera> cameras; ///< one a frame, at least one
+    std::vector<int> cuts; ///< frames whose history is invalid, ascending; frame 0 always is one
 };
 
 /// An opened scene. Everything but the pose is constant over its life.
@@ -72,7 +74,8 @@ class Scene {
     [[nodiscard]] virtual const Walkthrough& get_walkthrough() const = 0;
     /// Radius of interest of ambient occlusion in metres: the default of a run's target.
     [[nodiscard]] virtual double get_ao_radius_m() const = 0;
-    /// Fixed over the walkthrough. posed_geometry is relative to it; tracers subtract it from the camera in double.
+    /// Fixed over the walkthrough. posed_geometry is relative to it; tracers subtract it from the
+    /// camera in double.
     [[nodiscard]] virtual glm::dvec3 get_origin() const { return glm::dvec3(0.0); }
     [[nodiscard]] virtual Pose compute_pose(double time_s) const = 0;
     /// True if compute_pose does not depend on the time: a BVH is built once.
@@ -83,11 +86,11 @@ class Scene {
 struct SceneUnit {
     std::string name;
     std::string title;
-    std::string stresses;  ///< what it is hard on
-    std::string license;   ///< SPDX identifier or "unstated", and whom to credit
-    std::string folder;       ///< filled by the registry
-    std::string content_hash; ///< filled by the registry
-    bool reported = true;     ///< false for templates and test rigs: never part of a default suite
+    std::string stresses;      ///< what it is hard on
+    std::string license;       ///< SPDX identifier or "unstated", and whom to credit
+    std::string folder;        ///< filled by the registry
+    std::string content_hash;  ///< filled by the registry
+    bool reported = true;      ///< false for templates and test rigs: never part of a default suite
     ParameterTable parameters; ///< e.g. detail, seed
     /// Why the scene cannot be opened here, with the command that mends it; nothing if it can.
     std::function<std::optional<std::string>()> find_obstacle = [] {
@@ -104,12 +107,14 @@ struct SceneSize {
 };
 [[nodiscard]] SceneSize count_size(const Scene& scene);
 
-/// Content hash of meshes, objects, lights, the pose at `time_s` and nothing else: what decides a reference besides
-/// camera and target. Relative to the scene's origin, so a scene moved as a whole keeps its hash.
+/// Content hash of meshes, objects, lights, the pose at `time_s` and nothing else: what decides a
+/// reference besides camera and target. Relative to the scene's origin, so a scene moved as a whole
+/// keeps its hash.
 [[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s);
 
-/// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite, normals are unit within
-/// 1e-3, the walkthrough has a frame and valid cameras, and cuts are ascending and in range.
+/// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite,
+/// normals are unit within 1e-3, the walkthrough has a frame and valid cameras, and cuts are
+/// ascending and in range.
 void check_scene(const Scene& scene, std::string_view where);
 
 } // namespace alcove

@@ -1,6 +1,6 @@
 #pragma once
-// The G-buffer as one table of channels. A method reads only what it declares; what goes beyond the base is its input
-// cost.
+// The G-buffer as one table of channels. A method reads only what it declares; what goes beyond the
+// base is its input cost.
 
 #include "core/gl/functions.hpp"
 

@@ -1,5 +1,6 @@
 #pragma once
-// The harness's own pass: a method's visibility or radiance into the shaded picture. Charged to nobody.
+// The harness's own pass: a method's visibility or radiance into the shaded picture. Charged to
+// nobody.
 
 #include "core/frame/full_screen.hpp"
 #include "core/frame/gbuffer.hpp"
@@ -12,8 +13,9 @@ namespace alcove {
 class Compose {
   public:
     Compose(const gl::Functions& gl, ImageSize size);
-    /// direct + ambient x albedo x visibility, or direct + radiance where the method gives that; linear Rec. 709,
-    /// RGBA16F. One of the two textures is not null. The background shows the ambient radiance.
+    /// direct + ambient x albedo x visibility, or direct + radiance where the method gives that;
+    /// linear Rec. 709, RGBA16F. One of the two textures is not null. The background shows the
+    /// ambient radiance.
     void render(const GBuffer& gbuffer, const glm::vec3& ambient, const gl::Texture* visibility,
                 const gl::Texture* radiance, PassRecorder& passes);
     [[nodiscard]] const gl::Texture& picture() const noexcept { return m_picture; }
@@ -25,9 +27,9 @@ class Compose {
     FullScreenProgram m_program;
 };
 
-/// Linear radiance to linear light for a display: x (1 + x / 16) / (1 + x), which maps 4 to 1, clamped.
-/// This work is based on: Reinhard, Stark, Shirley, Ferwerda. Photographic tone reproduction for digital images. 2002,
-/// equation 4 with L_white = 4.
+/// Linear radiance to linear light for a display: x (1 + x / 16) / (1 + x), which maps 4 to 1,
+/// clamped. This work is based on: Reinhard, Stark, Shirley, Ferwerda. Photographic tone
+/// reproduction for digital images. 2002, equation 4 with L_white = 4.
 [[nodiscard]] Image tone_map(const Image& radiance);
 
 } // namespace alcove

@@ -16,8 +16,8 @@ struct FrameView {
     ImageSize size;
 };
 
-/// Frame `index` of the walkthrough. Where the history is invalid (frame 0, a cut, `starts_segment`) previous = current.
-/// Asserts that the frame exists.
+/// Frame `index` of the walkthrough. Where the history is invalid (frame 0, a cut,
+/// `starts_segment`) previous = current. Asserts that the frame exists.
 [[nodiscard]] FrameView make_frame_view(const Walkthrough& walkthrough, int index, ImageSize size,
                                         bool starts_segment);
 

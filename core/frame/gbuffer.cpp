@@ -28,8 +28,8 @@ GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
         if (!channels.contains(info.channel)) {
             continue;
         }
-        const bool is_half = info.channel == Channel::eye_depth &&
-                             precision.eye_depth == EyeDepth::float16;
+        const bool is_half =
+            info.channel == Channel::eye_depth && precision.eye_depth == EyeDepth::float16;
         gl::Texture& texture = m_textures.at(static_cast<std::size_t>(info.channel));
         texture = gl::Texture(gl, is_half ? GLenum{GL_R16F} : info.format, size);
         targets.push_back(&texture);

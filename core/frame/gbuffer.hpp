@@ -23,7 +23,8 @@ class GBuffer {
     // For the renderer.
     [[nodiscard]] GLuint framebuffer() const noexcept { return m_framebuffer.get(); }
     [[nodiscard]] const gl::Texture& raster_depth() const noexcept { return m_raster_depth; }
-    /// Target of the pass that rebuilds eye depth from raster depth; 0 unless precision asks for it.
+    /// Target of the pass that rebuilds eye depth from raster depth; 0 unless precision asks for
+    /// it.
     [[nodiscard]] GLuint rebuild_framebuffer() const noexcept {
         return m_rebuild_framebuffer.get();
     }

@@ -1,5 +1,6 @@
 #pragma once
-// Named, timed GPU steps. A method wraps every pass in a scope; what is timed is the recorder's business.
+// Named, timed GPU steps. A method wraps every pass in a scope; what is timed is the recorder's
+// business.
 
 #include "core/gl/timer.hpp"
 
@@ -9,8 +10,9 @@
 
 namespace alcove {
 
-/// none: nothing is timed (capture and warm-up). divided: each pass is one interval. envelope: the caller times the
-/// whole, passes are only named. Dividing perturbs: intervals and gates use the envelope.
+/// none: nothing is timed (capture and warm-up). divided: each pass is one interval. envelope: the
+/// caller times the whole, passes are only named. Dividing perturbs: intervals and gates use the
+/// envelope.
 enum class PassTiming { none, divided, envelope };
 
 /// Collects the passes of one method in one frame.

@@ -1,7 +1,7 @@
 #pragma once
-// Geometry for methods that trace: float, relative to a double origin that stays fixed over a walkthrough, with object
-// transforms apart, so that the tree over a static scene is built once. Tracers subtract the origin from the camera in
-// double.
+// Geometry for methods that trace: float, relative to a double origin that stays fixed over a
+// walkthrough, with object transforms apart, so that the tree over a static scene is built once.
+// Tracers subtract the origin from the camera in double.
 
 #include "core/contract/scene.hpp"
 
@@ -19,7 +19,8 @@ struct PosedObject {
 };
 
 struct PosedGeometry {
-    const Scene* scene = nullptr;  ///< identity of the geometry: equal scene and is_static = same tree
+    const Scene* scene =
+        nullptr; ///< identity of the geometry: equal scene and is_static = same tree
     double time_s = 0.0;
     bool is_static = true;
     glm::dvec3 origin{0.0};

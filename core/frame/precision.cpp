@@ -35,8 +35,8 @@ std::size_t find_choice(std::string_view key, std::string_view value,
 std::string describe(const Precision& precision) {
     return "raster_depth=" +
            get_raster_names().at(static_cast<std::size_t>(precision.raster_depth)) +
-           (precision.reversed ? ",reversed" : "") + ",eye_depth=" +
-           get_eye_names().at(static_cast<std::size_t>(precision.eye_depth));
+           (precision.reversed ? ",reversed" : "") +
+           ",eye_depth=" + get_eye_names().at(static_cast<std::size_t>(precision.eye_depth));
 }
 
 Precision parse_precision(std::string_view text) {

@@ -19,7 +19,8 @@ struct Precision {
 
 /// "raster_depth=32F,eye_depth=32F" or "raster_depth=24,reversed,eye_depth=raster"
 [[nodiscard]] std::string describe(const Precision& precision);
-/// Reads "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster"; each part may be missing. Throws InputError.
+/// Reads "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster"; each part may be missing.
+/// Throws InputError.
 [[nodiscard]] Precision parse_precision(std::string_view text);
 
 } // namespace alcove

@@ -48,8 +48,7 @@ void set_matrix(const gl::Functions& gl, GLint location, const glm::dmat4& matri
 } // namespace
 
 SceneRenderer::SceneRenderer(const gl::Functions& gl, const Scene& scene)
-    : m_gl(gl), m_scene(scene),
-      m_library{embedded_frame_shaders(), embedded_gl_shaders()},
+    : m_gl(gl), m_scene(scene), m_library{embedded_frame_shaders(), embedded_gl_shaders()},
       m_rebuild(gl, m_library, "core/frame/rebuild_eye_depth.frag.glsl") {
     if (scene.get_lights().directional.size() > kMaximumLights) {
         throw InputError("scene", "too many directional lights",
@@ -143,7 +142,8 @@ void SceneRenderer::draw_objects(const Pipeline& pipeline, const FrameView& view
         set_matrix(m_gl, pipeline.view_from_object, view_from_object);
         const glm::mat3 normal_matrix(glm::transpose(glm::inverse(glm::dmat3(view_from_object))));
         m_gl.UniformMatrix3fv(pipeline.normal_matrix, 1, GL_FALSE, glm::value_ptr(normal_matrix));
-        // p_old - p_new as one matrix: the difference is taken in double before anything is rounded.
+        // p_old - p_new as one matrix: the difference is taken in double before anything is
+        // rounded.
         set_matrix(m_gl, pipeline.motion_matrix, previous.object_to_world[i] - object_to_world);
         const glm::vec3 albedo = m_scene.get_meshes()[objects[i].mesh].albedo;
         m_gl.Uniform3f(pipeline.albedo, albedo.x, albedo.y, albedo.z);

@@ -1,5 +1,6 @@
 #pragma once
-// Rasterises a scene into a G-buffer. Every matrix the GPU sees is relative to the current camera and composed in double.
+// Rasterises a scene into a G-buffer. Every matrix the GPU sees is relative to the current camera
+// and composed in double.
 
 #include "core/frame/frame_view.hpp"
 #include "core/frame/full_screen.hpp"
@@ -15,7 +16,8 @@ inline constexpr std::size_t kMaximumLights = 4;
 
 class SceneRenderer {
   public:
-    /// Uploads the scene's meshes. The scene must outlive the renderer. Throws InputError above kMaximumLights.
+    /// Uploads the scene's meshes. The scene must outlive the renderer. Throws InputError above
+    /// kMaximumLights.
     SceneRenderer(const gl::Functions& gl, const Scene& scene);
 
     /// Fills all channels of the G-buffer.

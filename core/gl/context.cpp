@@ -19,7 +19,9 @@ constexpr GLuint kBufferBindings = 8;
 
 } // namespace
 
-std::string_view to_text(ContextKind kind) { return kKinds.at(static_cast<std::size_t>(kind)); }
+std::string_view to_text(ContextKind kind) {
+    return kKinds.at(static_cast<std::size_t>(kind));
+}
 
 ContextKind parse_context_kind(std::string_view text) {
     const std::vector<std::string> names(kKinds.begin(), kKinds.end());

@@ -1,5 +1,6 @@
 #pragma once
-// OpenGL 4.5 core contexts. Their libraries are opened at run time, so that one binary starts where one is missing.
+// OpenGL 4.5 core contexts. Their libraries are opened at run time, so that one binary starts where
+// one is missing.
 
 #include "core/gl/functions.hpp"
 
@@ -10,7 +11,8 @@
 
 namespace alcove::gl {
 
-/// autodetect: the embedded default, OSMesa. egl and glfw have their place here and are refused until they are built.
+/// autodetect: the embedded default, OSMesa. egl and glfw have their place here and are refused
+/// until they are built.
 enum class ContextKind { autodetect, osmesa, egl, glfw };
 [[nodiscard]] std::string_view to_text(ContextKind kind);
 /// Throws InputError with the nearest name.
@@ -18,7 +20,8 @@ enum class ContextKind { autodetect, osmesa, egl, glfw };
 
 /// What executes the passes; printed beside every time.
 struct DeviceInfo {
-    std::string device_class; ///< "software" for llvmpipe, softpipe and swrast; otherwise "hardware"
+    std::string
+        device_class; ///< "software" for llvmpipe, softpipe and swrast; otherwise "hardware"
     std::string vendor;
     std::string renderer;
     std::string version;
@@ -37,8 +40,9 @@ class Context {
     /// Throws FailureError with the driver's words if it reported a GL error since the last call.
     void check_errors();
 
-    /// Brings back the state every method may rely on: no framebuffer, program, vertex array, texture, sampler, image or
-    /// buffer bound, blending, depth test, culling and scissor off, all masks on, default clip control and packing.
+    /// Brings back the state every method may rely on: no framebuffer, program, vertex array,
+    /// texture, sampler, image or buffer bound, blending, depth test, culling and scissor off, all
+    /// masks on, default clip control and packing.
     void reset_state();
 
   protected:
@@ -54,8 +58,8 @@ class Context {
     std::vector<std::string> m_errors;
 };
 
-/// Creates a context and makes it current on the calling thread. Throws FailureError naming the library and package
-/// that is missing, or InputError for a kind that is planned.
+/// Creates a context and makes it current on the calling thread. Throws FailureError naming the
+/// library and package that is missing, or InputError for a kind that is planned.
 [[nodiscard]] std::unique_ptr<Context> open_context(ContextKind kind);
 
 } // namespace alcove::gl

@@ -1,6 +1,7 @@
 #pragma once
-// The OpenGL 4.5 core functions that Alcove calls, as one table filled by the context that is in use. There is no global
-// loader: linking libGL and OSMesa together would clash, and OSMesa is not among the resolvers of the usual loaders.
+// The OpenGL 4.5 core functions that Alcove calls, as one table filled by the context that is in
+// use. There is no global loader: linking libGL and OSMesa together would clash, and OSMesa is not
+// among the resolvers of the usual loaders.
 
 #include <GL/glcorearb.h>
 
@@ -105,7 +106,8 @@ struct Functions {
 #undef ALCOVE_GL_MEMBER
 };
 
-/// Fills the table through `resolve(name)`. Throws FailureError naming the first function the driver lacks.
+/// Fills the table through `resolve(name)`. Throws FailureError naming the first function the
+/// driver lacks.
 using Resolver = void (*(*)(const char*))();
 [[nodiscard]] Functions load_functions(Resolver resolve);
 

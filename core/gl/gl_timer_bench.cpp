@@ -8,7 +8,8 @@
 namespace alcove::gl {
 namespace {
 
-/// Enough pixels for every thread of a rasteriser, few enough that the loop and not the memory is timed.
+/// Enough pixels for every thread of a rasteriser, few enough that the loop and not the memory is
+/// timed.
 constexpr ImageSize kSize{256, 256};
 constexpr GLuint kGroupSide = 8;
 
@@ -61,8 +62,7 @@ double GlTimerBench::run_alone(LoadKind kind) {
     return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
 }
 
-std::vector<double> GlTimerBench::run_sequence(TimerMode mode,
-                                               std::span<const LoadKind> sequence) {
+std::vector<double> GlTimerBench::run_sequence(TimerMode mode, std::span<const LoadKind> sequence) {
     m_gl->Finish();
     IntervalTimer timer(*m_gl, mode);
     for (const LoadKind kind : sequence) {

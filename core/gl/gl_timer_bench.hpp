@@ -1,5 +1,6 @@
 #pragma once
-// The device side of timer validation: a fragment shader and a compute shader of known, adjustable cost.
+// The device side of timer validation: a fragment shader and a compute shader of known, adjustable
+// cost.
 
 #include "core/gl/program.hpp"
 #include "core/gl/timer_validation.hpp"

@@ -25,7 +25,8 @@ void flip_rows(std::span<float> values, ImageSize size, int channels) {
 
 } // namespace
 
-Texture::Texture(const Functions& gl, GLenum format, ImageSize size) : m_format(format), m_size(size) {
+Texture::Texture(const Functions& gl, GLenum format, ImageSize size)
+    : m_format(format), m_size(size) {
     ALCOVE_ASSERT(size.width > 0 && size.height > 0, "texture sizes are positive");
     GLuint name = 0;
     gl.CreateTextures(GL_TEXTURE_2D, 1, &name);

@@ -1,5 +1,6 @@
 #pragma once
-// RAII handles for GL objects. Each holds the function table it was made with and must die before its context.
+// RAII handles for GL objects. Each holds the function table it was made with and must die before
+// its context.
 
 #include "core/base/image.hpp"
 #include "core/gl/functions.hpp"
@@ -12,15 +13,15 @@
 
 namespace alcove::gl {
 
-/// A GL name that the function `Delete` of the table frees. Movable, not copyable; empty (0) after a move.
+/// A GL name that the function `Delete` of the table frees. Movable, not copyable; empty (0) after
+/// a move.
 template <auto Delete>
 class Handle {
   public:
     Handle() = default;
     Handle(const Functions& gl, GLuint name) : m_gl(&gl), m_name(name) {}
     ~Handle() { reset(); }
-    Handle(Handle&& other) noexcept
-        : m_gl(other.m_gl), m_name(std::exchange(other.m_name, 0)) {}
+    Handle(Handle&& other) noexcept : m_gl(other.m_gl), m_name(std::exchange(other.m_name, 0)) {}
     Handle& operator=(Handle&& other) noexcept {
         if (this != &other) {
             reset();
@@ -58,7 +59,8 @@ using QueryHandle = Handle<&Functions::DeleteQueries>;
 using ShaderHandle = Handle<&Functions::DeleteShader>;
 using ProgramHandle = Handle<&Functions::DeleteProgram>;
 
-/// An immutable 2D texture with one level, nearest filtering and clamp-to-edge (the fastest fetch on llvmpipe).
+/// An immutable 2D texture with one level, nearest filtering and clamp-to-edge (the fastest fetch
+/// on llvmpipe).
 class Texture {
   public:
     Texture() = default;
@@ -79,7 +81,8 @@ class Texture {
 [[nodiscard]] BufferHandle create_buffer(const Functions& gl, std::span<const std::byte> bytes,
                                          GLbitfield flags = 0);
 
-/// A framebuffer over colour textures in order, and a depth texture if not null. Throws FailureError if incomplete.
+/// A framebuffer over colour textures in order, and a depth texture if not null. Throws
+/// FailureError if incomplete.
 [[nodiscard]] FramebufferHandle create_framebuffer(const Functions& gl,
                                                    std::initializer_list<const Texture*> colors,
                                                    const Texture* depth = nullptr);
@@ -87,7 +90,8 @@ class Texture {
                                                    std::span<const Texture* const> colors,
                                                    const Texture* depth = nullptr);
 
-/// Reads `channels` float channels (1 to 4) of a texture; row 0 of the image is the top row, which is the texture's last.
+/// Reads `channels` float channels (1 to 4) of a texture; row 0 of the image is the top row, which
+/// is the texture's last.
 [[nodiscard]] Image read_texture(const Functions& gl, const Texture& texture, int channels);
 
 /// Uploads an image (row 0 on top) into a texture with the same size and at least its channels.

@@ -50,8 +50,9 @@ class OsmesaContext final : public Context {
         m_destroy = find_symbol<DestroyContext>(library, "OSMesaDestroyContext");
         const auto create = find_symbol<CreateContext>(library, "OSMesaCreateContextAttribs");
         const auto make_current = find_symbol<MakeCurrent>(library, "OSMesaMakeCurrent");
-        constexpr std::array kAttributes{kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
-                                         kMajorVersion, 4,     kMinorVersion, 5, 0,        0};
+        constexpr std::array kAttributes{
+            kFormat,       kRgba, kDepthBits,    0, kProfile, kCoreProfile,
+            kMajorVersion, 4,     kMinorVersion, 5, 0,        0};
         m_context = create(kAttributes.data(), nullptr);
         if (m_context == nullptr) {
             throw FailureError("OSMesa", "no OpenGL 4.5 core context");
@@ -76,6 +77,8 @@ class OsmesaContext final : public Context {
 
 } // namespace
 
-std::unique_ptr<Context> open_osmesa_context() { return std::make_unique<OsmesaContext>(); }
+std::unique_ptr<Context> open_osmesa_context() {
+    return std::make_unique<OsmesaContext>();
+}
 
 } // namespace alcove::gl

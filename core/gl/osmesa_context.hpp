@@ -5,7 +5,8 @@
 
 namespace alcove::gl {
 
-/// Opens libOSMesa at run time. Throws FailureError if it is missing or gives no OpenGL 4.5 core context.
+/// Opens libOSMesa at run time. Throws FailureError if it is missing or gives no OpenGL 4.5 core
+/// context.
 [[nodiscard]] std::unique_ptr<Context> open_osmesa_context();
 
 } // namespace alcove::gl

@@ -1,5 +1,6 @@
 #pragma once
-// Shaders: embedded GLSL with #include, and errors that name file, line and the way it was included.
+// Shaders: embedded GLSL with #include, and errors that name file, line and the way it was
+// included.
 
 #include "core/base/embedded_file.hpp"
 #include "core/gl/handles.hpp"
@@ -12,7 +13,8 @@
 
 namespace alcove::gl {
 
-/// GLSL files by their path in the tree. `#include "core/frame/reconstruct.glsl"` inserts one, once a program stage.
+/// GLSL files by their path in the tree. `#include "core/frame/reconstruct.glsl"` inserts one, once
+/// a program stage.
 class ShaderLibrary {
   public:
     ShaderLibrary(std::initializer_list<std::span<const EmbeddedFile>> parts);
@@ -28,10 +30,12 @@ struct ShaderStage {
     std::string file;
 };
 
-/// Texts that exist only for one program, by the name they are included under, e.g. {"parameters.glsl", ...}.
+/// Texts that exist only for one program, by the name they are included under, e.g.
+/// {"parameters.glsl", ...}.
 using GeneratedFiles = std::map<std::string, std::string, std::less<>>;
 
-/// A linked program with its uniforms by name. A name the compiler dropped has location -1, which GL ignores.
+/// A linked program with its uniforms by name. A name the compiler dropped has location -1, which
+/// GL ignores.
 class Program {
   public:
     Program() = default;
@@ -49,13 +53,15 @@ class Program {
     ProgramHandle m_handle;
 };
 
-/// Compiles and links. Every stage begins with `#version 450 core`, which the files themselves do not hold.
-/// Throws FailureError: "methods/x/x.frag.glsl:12 (included from ...): the driver's words".
+/// Compiles and links. Every stage begins with `#version 450 core`, which the files themselves do
+/// not hold. Throws FailureError: "methods/x/x.frag.glsl:12 (included from ...): the driver's
+/// words".
 [[nodiscard]] Program build_program(const Functions& gl, const ShaderLibrary& library,
                                     std::initializer_list<ShaderStage> stages,
                                     const GeneratedFiles& generated = {});
 
-/// A stage with its includes inserted; `files[k]` is source string k of the #line directives. Exposed for its test.
+/// A stage with its includes inserted; `files[k]` is source string k of the #line directives.
+/// Exposed for its test.
 struct ExpandedSource {
     std::string text;
     struct File {

@@ -40,8 +40,8 @@ void IntervalTimer::mark() {
     case TimerMode::timestamp_finish:
         m_gl->Finish();
         m_gl->QueryCounter(take_query(GL_TIMESTAMP), GL_TIMESTAMP);
-        // llvmpipe bins a query with the draws that follow it: unflushed, it would be read at their last tile
-        // (0.13 of the true time in all six sequences).
+        // llvmpipe bins a query with the draws that follow it: unflushed, it would be read at their
+        // last tile (0.13 of the true time in all six sequences).
         m_gl->Flush();
         break;
     case TimerMode::fenced_wall:

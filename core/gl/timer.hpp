@@ -1,6 +1,7 @@
 #pragma once
-// Times of GPU work. Which mode may be believed is decided by timer_validation.hpp in the running context: on Mesa's
-// llvmpipe the plain queries are wrong by factors, because rasterisation is deferred.
+// Times of GPU work. Which mode may be believed is decided by timer_validation.hpp in the running
+// context: on Mesa's llvmpipe the plain queries are wrong by factors, because rasterisation is
+// deferred.
 
 #include "core/gl/handles.hpp"
 
@@ -34,8 +35,8 @@ class IntervalTimer {
 
     void begin();
     void end();
-    /// Waits for the device and returns the durations in ns, in order, then starts anew. A negative or absurd
-    /// difference is returned as it is: hiding it would hide a broken clock.
+    /// Waits for the device and returns the durations in ns, in order, then starts anew. A negative
+    /// or absurd difference is returned as it is: hiding it would hide a broken clock.
     [[nodiscard]] std::vector<std::int64_t> collect();
     [[nodiscard]] TimerMode mode() const noexcept { return m_mode; }
 

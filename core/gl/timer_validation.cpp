@@ -23,7 +23,8 @@ std::vector<Sequence> make_sequences() {
             {"DC", {kD, kC}}, {"CD", {kC, kD}}, {"DCD", {kD, kC, kD}}};
 }
 
-/// Doubles the work until one load alone takes long enough; median of 3, because first uses compile.
+/// Doubles the work until one load alone takes long enough; median of 3, because first uses
+/// compile.
 std::int64_t size_load(TimerBench& bench, LoadKind kind, double smallest_ns, double& alone_ns) {
     constexpr std::int64_t kMost = std::int64_t{1} << 40;
     for (std::int64_t iterations = 16; iterations <= kMost;) {
@@ -115,7 +116,8 @@ class Validator {
             }
         };
         for (int i = 0; i < m_options.ratios; ++i) {
-            // Lone runs come before and after the sequence in turn, so that a drift of the machine cancels.
+            // Lone runs come before and after the sequence in turn, so that a drift of the machine
+            // cancels.
             std::array<double, 2> alone{};
             if (i % 2 == 0) {
                 time_alone(alone);

@@ -1,7 +1,8 @@
 #pragma once
-// A timer mode counts only once it has been checked in the running context (DESIGN 3.4): on a known load, every pass of
-// six sequences of draws (D) and dispatches (C) must be within 5 % of that pass run alone under wall clock. Not the sum:
-// a clock that moves time between passes keeps the sum right. Knows no OpenGL, so that lying clocks can be tested.
+// A timer mode counts only once it has been checked in the running context (DESIGN 3.4): on a known
+// load, every pass of six sequences of draws (D) and dispatches (C) must be within 5 % of that pass
+// run alone under wall clock. Not the sum: a clock that moves time between passes keeps the sum
+// right. Knows no OpenGL, so that lying clocks can be tested.
 
 #include "core/gl/timer.hpp"
 
@@ -36,7 +37,8 @@ struct TimerTrial {
     TimerMode mode = TimerMode::time_elapsed;
     std::string sequence; ///< "D", "C", "DD", "DC", "CD", "DCD"
     int attempt = 0;      ///< from 0
-    /// For each pass the median of 9 ratios: timed in the sequence / alone under wall clock, taken in alternation.
+    /// For each pass the median of 9 ratios: timed in the sequence / alone under wall clock, taken
+    /// in alternation.
     std::vector<double> ratios;
     bool accepted = false;
 };
@@ -57,14 +59,15 @@ struct TimerReport {
 };
 
 struct TimerValidationOptions {
-    /// doctor: every mode through every sequence. Otherwise cheapest first, a mode is dropped at its first failing
-    /// sequence, and the first accepted one ends the search.
+    /// doctor: every mode through every sequence. Otherwise cheapest first, a mode is dropped at
+    /// its first failing sequence, and the first accepted one ends the search.
     bool exhaustive = false;
     double smallest_load_ns = 20e6; ///< loads are sized at run time to at least this
     int ratios = 9;                 ///< an attempt's pass ratio is the median of as many
     int attempts = 3;
     double tolerance = 0.05;
-    /// A ratio of any pass off by more than this factor is no noise: the attempts that are left are skipped.
+    /// A ratio of any pass off by more than this factor is no noise: the attempts that are left are
+    /// skipped.
     double hopeless_factor = 2.0;
 };
 

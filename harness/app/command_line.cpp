@@ -32,8 +32,8 @@ std::string join_arguments(int argc, char** argv) {
 std::string describe_planned() {
     std::string text = "Planned:\n";
     for (const Planned& verb : list_planned_verbs()) {
-        text += "  " + std::string(verb.name) + std::string(28 - std::string_view(verb.name).size(), ' ') +
-                verb.meaning + "\n";
+        text += "  " + std::string(verb.name) +
+                std::string(28 - std::string_view(verb.name).size(), ' ') + verb.meaning + "\n";
     }
     return text;
 }
@@ -106,7 +106,8 @@ int parse_and_run(CLI::App& app, const std::vector<Verb>& verbs, int argc, char*
 } // namespace
 
 int run_command_line(int argc, char** argv) {
-    CLI::App app{"Alcove replays walkthroughs through ambient-occlusion methods, times every pass, compares with "
+    CLI::App app{"Alcove replays walkthroughs through ambient-occlusion methods, times every pass, "
+                 "compares with "
                  "ray-traced truth and reports.",
                  "alcove"};
     app.footer(describe_planned());

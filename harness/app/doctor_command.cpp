@@ -58,8 +58,9 @@ int examine(const std::string& kind) {
     constexpr ImageSize kSize{512, 384};
     const double anchor_ns = time_anchor(*context, timers.chosen(), kSize);
     const double fetches = 32.0 * static_cast<double>(kSize.pixel_count());
-    fmt::print("ceiling   32 depth fetches a pixel at 512x384: {:.2f} ms (n=9), {:.2f} G fetches/s, {}\n",
-               anchor_ns * 1e-6, fetches / anchor_ns, record.device_class);
+    fmt::print(
+        "ceiling   32 depth fetches a pixel at 512x384: {:.2f} ms (n=9), {:.2f} G fetches/s, {}\n",
+        anchor_ns * 1e-6, fetches / anchor_ns, record.device_class);
     return 0;
 }
 

@@ -52,7 +52,9 @@ Json describe_parameters_json(const ParameterTable& table) {
 Json list_methods(const Units& units) {
     Json list = Json::array();
     for (const MethodUnit& unit : units.methods.units()) {
-        Json item{{"name", unit.name}, {"title", unit.title}, {"citation", unit.citation},
+        Json item{{"name", unit.name},
+                  {"title", unit.title},
+                  {"citation", unit.citation},
                   {"reported", unit.reported}};
         for (const Preset& preset : unit.presets) {
             item["presets"].push_back({{"name", preset.name}, {"meaning", preset.meaning}});
@@ -66,8 +68,11 @@ Json list_scenes(const Units& units) {
     Json list = Json::array();
     for (const SceneUnit& unit : units.scenes.units()) {
         const std::optional<std::string> obstacle = unit.find_obstacle();
-        list.push_back({{"name", unit.name}, {"title", unit.title}, {"stresses", unit.stresses},
-                        {"license", unit.license}, {"reported", unit.reported},
+        list.push_back({{"name", unit.name},
+                        {"title", unit.title},
+                        {"stresses", unit.stresses},
+                        {"license", unit.license},
+                        {"reported", unit.reported},
                         {"obstacle", obstacle.value_or("")}});
     }
     return list;
@@ -77,10 +82,13 @@ Json list_metrics(const Units& units) {
     Json list = Json::array();
     for (const MetricUnit& unit : units.metrics.units()) {
         list.push_back(
-            {{"name", unit.name}, {"title", unit.title}, {"unit", unit.unit},
+            {{"name", unit.name},
+             {"title", unit.title},
+             {"unit", unit.unit},
              {"direction", unit.direction == Direction::lower_is_better ? "lower is better"
                                                                         : "higher is better"},
-             {"definition", unit.definition}, {"blind_to", unit.blind_to},
+             {"definition", unit.definition},
+             {"blind_to", unit.blind_to},
              {"reported", unit.reported}});
     }
     return list;
@@ -102,7 +110,8 @@ void print_units(const Json& list) {
         if (!item.at("reported").get<bool>()) {
             continue;
         }
-        fmt::print("{:<24}{}\n", item.at("name").get<std::string>(), item.at("title").get<std::string>());
+        fmt::print("{:<24}{}\n", item.at("name").get<std::string>(),
+                   item.at("title").get<std::string>());
         for (const char* key : {"stresses", "blind_to", "obstacle"}) {
             if (item.contains(key) && !item.at(key).get<std::string>().empty()) {
                 fmt::print("{:<24}{}: {}\n", "", key, item.at(key).get<std::string>());
@@ -120,8 +129,7 @@ void print_units(const Json& list) {
 void print_parameters(const Json& object) {
     for (const auto& [unit, parameters] : object.items()) {
         for (const Json& item : parameters) {
-            fmt::print("{:<44}{:<20}{:<24}{}\n",
-                       unit + "." + item.at("name").get<std::string>(),
+            fmt::print("{:<44}{:<20}{:<24}{}\n", unit + "." + item.at("name").get<std::string>(),
                        item.at("default").get<std::string>(), item.at("unit").get<std::string>(),
                        item.at("meaning").get<std::string>());
         }

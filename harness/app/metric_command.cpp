@@ -56,7 +56,8 @@ std::vector<fs::path> list_images(const fs::path& folder) {
     return names;
 }
 
-/// Two files, or the frames of two folders by name. What one folder lacks is an error, never left out.
+/// Two files, or the frames of two folders by name. What one folder lacks is an error, never left
+/// out.
 std::vector<ImagePair> pair_images(const MetricFlags& flags) {
     const fs::path test = flags.test;
     const fs::path reference = flags.reference;
@@ -123,11 +124,13 @@ int run_self_test(const std::vector<const MetricUnit*>& metrics) {
             const Image test = check.make_test();
             const Image reference = check.make_reference();
             const MetricResult result = metric->evaluate({test, reference});
-            const bool holds = result.value && std::abs(*result.value - check.expected) <= check.tolerance;
+            const bool holds =
+                result.value && std::abs(*result.value - check.expected) <= check.tolerance;
             failures += holds ? 0 : 1;
             fmt::print("{:<8}{:<32}expected {:<14} got {:<22} {}\n", unit->name, check.name,
                        format_number(check.expected),
-                       result.value ? format_number(*result.value) : "none", holds ? "ok" : "FAILED");
+                       result.value ? format_number(*result.value) : "none",
+                       holds ? "ok" : "FAILED");
         }
     }
     if (failures > 0) {
@@ -166,7 +169,8 @@ void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
     }
     for (const MetricUnit* unit : metrics) {
         const auto metric = unit->create(unit->parameters.resolve({}, {}));
-        // Each file is brought to the metric's domain from its own: an EXR may be held against a PNG.
+        // Each file is brought to the metric's domain from its own: an EXR may be held against a
+        // PNG.
         const auto convert = [unit](const Image& image, Domain from) {
             const Image converted = convert_for_metric(image, from, unit->domain);
             return unit->luma ? compute_luma(converted) : converted;
@@ -206,8 +210,8 @@ bool check_gate(const std::string& text, const std::map<std::string, Score>& sco
         const double bound = parse_number(part.substr(position + (or_equal ? 2 : 1)), "--gate");
         const std::optional<double> value = score->second.mean();
         const bool less = part[position] == '<';
-        const bool holds = value && ((less ? *value < bound : *value > bound) ||
-                                     (or_equal && *value == bound));
+        const bool holds =
+            value && ((less ? *value < bound : *value > bound) || (or_equal && *value == bound));
         if (!holds) {
             fmt::print(stderr, "alcove: gate not met: {} (is {})\n", part,
                        value ? format_number(*value) : "undefined");
@@ -258,7 +262,8 @@ Action add_metric_verb(CLI::App& app) {
     app.add_option("reference", flags->reference, "image, or folder of frames with the same names");
     app.add_option("--metric", flags->metrics, "repeatable; default all")->expected(1)->take_all();
     app.add_option("--domain", flags->domain,
-                   "srgb, linear, visibility, view; default: the file's own, else srgb for PNG, linear for EXR");
+                   "srgb, linear, visibility, view; default: the file's own, else srgb for PNG, "
+                   "linear for EXR");
     app.add_flag("--json", flags->json, "one object");
     app.add_option("--map", flags->map_folder, "folder for the metrics' maps (EXR)");
     app.add_option("--gate", flags->gate, "\"ssim>=0.9,rmse<0.05\": exit 3 unless all hold");

@@ -1,5 +1,6 @@
 #pragma once
-// What the command line will have and does not have yet. It stands in --help under "planned" and exits 2.
+// What the command line will have and does not have yet. It stands in --help under "planned" and
+// exits 2.
 
 #include <span>
 #include <string>

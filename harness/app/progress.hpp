@@ -1,5 +1,6 @@
 #pragma once
-// One line on standard error with the share done and the time left; silent when that is no terminal.
+// One line on standard error with the share done and the time left; silent when that is no
+// terminal.
 
 #include <chrono>
 #include <string>

@@ -88,7 +88,9 @@ int execute(RunFolder& run, gl::Context& context, gl::TimerMode mode, const Unit
     {
         Progress progress;
         RunEvents events;
-        events.progress = [&](double share, const std::string& what) { progress.show(share, what); };
+        events.progress = [&](double share, const std::string& what) {
+            progress.show(share, what);
+        };
         events.update = [&](const std::vector<FirstTime>& times) {
             std::vector<ProvisionalRow> rows;
             for (const FirstTime& time : times) {
@@ -110,8 +112,8 @@ gl::TimerReport validate(gl::Context& context) {
     return timers;
 }
 
-/// The clock that a run was begun with, proved anew. On a busy machine a clock that is right can fail, so it is tried
-/// again before the run is refused. Fenced wall time needs no proof.
+/// The clock that a run was begun with, proved anew. On a busy machine a clock that is right can
+/// fail, so it is tried again before the run is refused. Fenced wall time needs no proof.
 gl::TimerReport validate_again(gl::Context& context, const std::string& recorded) {
     constexpr int kTries = 4;
     gl::TimerReport timers;
@@ -141,8 +143,7 @@ int start(const RunFlags& flags, const std::string& command_line) {
                          "an empty or new folder, or --resume");
     }
     const gl::TimerReport timers = validate(*context);
-    RunFolder run =
-        RunFolder::create(out, describe_environment(*context, timers), plan.record);
+    RunFolder run = RunFolder::create(out, describe_environment(*context, timers), plan.record);
     return execute(run, *context, timers.chosen(), units);
 }
 

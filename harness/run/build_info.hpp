@@ -4,10 +4,10 @@
 namespace alcove {
 
 struct BuildInfo {
-    const char* id;       ///< hash of sources, compiler and flags: 16 hexadecimal digits
+    const char* id; ///< hash of sources, compiler and flags: 16 hexadecimal digits
     const char* compiler;
     const char* flags;
-    const char* type;     ///< "Release"
+    const char* type; ///< "Release"
 };
 
 [[nodiscard]] BuildInfo get_build_info();

@@ -60,7 +60,9 @@ int read_driver_threads(int cores) {
 
 } // namespace
 
-std::string make_utc_stamp() { return format_utc("%Y%m%dT%H%M%SZ"); }
+std::string make_utc_stamp() {
+    return format_utc("%Y%m%dT%H%M%SZ");
+}
 
 ContextRecord describe_environment(const gl::Context& context, const gl::TimerReport& timers) {
     const BuildInfo build = get_build_info();

@@ -11,8 +11,8 @@ namespace alcove {
 [[nodiscard]] ContextRecord describe_environment(const gl::Context& context,
                                                  const gl::TimerReport& timers);
 
-/// Throws InputError (exit 2) naming both if a run made by another build, driver or set of CPU features, or
-/// with another timer, would be continued here.
+/// Throws InputError (exit 2) naming both if a run made by another build, driver or set of CPU
+/// features, or with another timer, would be continued here.
 void check_same_environment(const ContextRecord& recorded, const ContextRecord& here);
 
 /// "20261122T013000Z"

@@ -13,7 +13,8 @@ MethodSpec parse_method_spec(std::string_view text) {
         spec.label = rest.substr(mark + 1);
         rest = rest.substr(0, mark);
         if (spec.label.empty()) {
-            throw InputError("--method", "empty label after #", text, "M[@PRESET][:key=value,...][#label]");
+            throw InputError("--method", "empty label after #", text,
+                             "M[@PRESET][:key=value,...][#label]");
         }
     }
     if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {

@@ -65,8 +65,7 @@ std::vector<SegmentRecord> choose_segments(const Experiment& experiment, int fra
     if (experiment.frames) {
         return {parse_frames(*experiment.frames, frame_count)};
     }
-    return experiment.quick ? make_quick_segments(frame_count)
-                            : make_default_segments(frame_count);
+    return experiment.quick ? make_quick_segments(frame_count) : make_default_segments(frame_count);
 }
 
 void describe_units(const Units& units, PlanRecord& record) {
@@ -99,9 +98,8 @@ class ScenePlanner {
     void add(const std::string& name, const Scene& scene) {
         Target base;
         base.radius_m = scene.get_ao_radius_m();
-        const Target target = m_experiment.target.empty()
-                                  ? base
-                                  : parse_target(m_experiment.target, base);
+        const Target target =
+            m_experiment.target.empty() ? base : parse_target(m_experiment.target, base);
         RoundRecord round;
         round.scene = name;
         round.walkthrough = scene.get_walkthrough().name;
@@ -119,8 +117,9 @@ class ScenePlanner {
         const std::vector<MethodSpec>& specs = m_experiment.methods;
         for (std::size_t first = 0; first < specs.size(); first += kMethodsPerRound) {
             const std::size_t end = std::min(first + kMethodsPerRound, specs.size());
-            add_round(round, target, {specs.begin() + static_cast<std::ptrdiff_t>(first),
-                                      specs.begin() + static_cast<std::ptrdiff_t>(end)});
+            add_round(round, target,
+                      {specs.begin() + static_cast<std::ptrdiff_t>(first),
+                       specs.begin() + static_cast<std::ptrdiff_t>(end)});
         }
     }
 
@@ -164,7 +163,9 @@ std::vector<std::string> choose_scenes(const Experiment& experiment, const Units
 
 } // namespace
 
-Units get_units() { return {methods_registry(), metrics_registry(), scenes_registry()}; }
+Units get_units() {
+    return {methods_registry(), metrics_registry(), scenes_registry()};
+}
 
 MadePlan make_plan(const Experiment& experiment, const Units& units) {
     MadePlan plan;

@@ -1,6 +1,6 @@
 #pragma once
-// From an experiment to a plan: axes -> cells -> rounds. The record is the plan: what is run, and resumed, is read from
-// it alone.
+// From an experiment to a plan: axes -> cells -> rounds. The record is the plan: what is run, and
+// resumed, is read from it alone.
 
 #include "core/contract/method.hpp"
 #include "core/contract/metric.hpp"
@@ -25,9 +25,9 @@ struct MadePlan {
     std::vector<std::string> warnings;
 };
 
-/// Opens each scene once to learn its radius, size and walkthrough. A scene that cannot be opened for want of a package
-/// is skipped with its reason. Throws InputError on unknown names and values out of range, FailureError (exit 1) if no
-/// scene is left.
+/// Opens each scene once to learn its radius, size and walkthrough. A scene that cannot be opened
+/// for want of a package is skipped with its reason. Throws InputError on unknown names and values
+/// out of range, FailureError (exit 1) if no scene is left.
 [[nodiscard]] MadePlan make_plan(const Experiment& experiment, const Units& units);
 
 /// A cell's parameters, read back from the record.

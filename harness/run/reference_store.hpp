@@ -1,6 +1,6 @@
 #pragma once
-// Ray-traced references, cached on disk under the content of all that decides them: triangles, camera, size, target, rays
-// and the tracer's own sources; never a commit or a file's time.
+// Ray-traced references, cached on disk under the content of all that decides them: triangles,
+// camera, size, target, rays and the tracer's own sources; never a commit or a file's time.
 
 #include "core/frame/frame_view.hpp"
 #include "methods/reference_ray_traced/ray_tracer.hpp"

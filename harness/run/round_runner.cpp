@@ -33,7 +33,8 @@ class WallTime {
 };
 
 /// The cells' order in one frame of one repeat: a permutation that depends on the seed alone.
-std::vector<std::size_t> shuffle_order(std::size_t count, std::uint64_t seed, int repeat, int frame) {
+std::vector<std::size_t> shuffle_order(std::size_t count, std::uint64_t seed, int repeat,
+                                       int frame) {
     Hasher hasher;
     hasher.add(seed).add(repeat).add(frame);
     std::mt19937_64 random(hasher.finish64());
@@ -51,9 +52,9 @@ RoundRunner::RoundRunner(gl::Context& context, gl::TimerMode timer_mode, const U
                          const PlanRecord& plan, const RoundRecord& round, const Scene& scene,
                          std::filesystem::path run_folder)
     : m_context(context), m_gl(context.functions()), m_units(units), m_plan(plan), m_round(round),
-      m_scene(scene), m_run_folder(std::move(run_folder)), m_timer(m_gl, timer_mode),
-      m_size{round.width, round.height}, m_target(parse_target(round.target, {})),
-      m_renderer(m_gl, scene), m_compose(m_gl, m_size),
+      m_scene(scene), m_run_folder(std::move(run_folder)),
+      m_timer(m_gl, timer_mode), m_size{round.width, round.height},
+      m_target(parse_target(round.target, {})), m_renderer(m_gl, scene), m_compose(m_gl, m_size),
       m_references(get_cache_folder(), units.methods.find("reference_ray_traced").content_hash) {
     const Precision precision = parse_precision(round.precision);
     m_gbuffers.emplace(kBaseChannels, GBuffer(m_gl, m_size, kBaseChannels, precision));
@@ -72,9 +73,9 @@ RoundRunner::RoundRunner(gl::Context& context, gl::TimerMode timer_mode, const U
     }
     for (std::size_t s = 0; s < round.segments.size(); ++s) {
         for (int f = round.segments[s].begin; f < round.segments[s].end; ++f) {
-            m_frames.push_back({static_cast<int>(s),
-                                make_frame_view(scene.get_walkthrough(), f, m_size,
-                                                f == round.segments[s].begin)});
+            m_frames.push_back(
+                {static_cast<int>(s), make_frame_view(scene.get_walkthrough(), f, m_size,
+                                                      f == round.segments[s].begin)});
         }
     }
     m_context.check_errors();
@@ -153,8 +154,9 @@ void RoundRunner::render_gbuffers(const Frame& frame, std::optional<int> repeat)
             }
         }
     }
-    const bool needs_geometry = std::any_of(m_cells.begin(), m_cells.end(),
-                                            [](const MethodCell& cell) { return cell.needs_geometry(); });
+    const bool needs_geometry =
+        std::any_of(m_cells.begin(), m_cells.end(),
+                    [](const MethodCell& cell) { return cell.needs_geometry(); });
     if (needs_geometry) {
         m_geometry = pose_geometry(m_scene, frame.view.time_s);
     }
@@ -224,8 +226,7 @@ void RoundRunner::time_frame(const Frame& frame, int repeat) {
 }
 
 void RoundRunner::time_repeat(int repeat, const RoundEvents& events) {
-    const std::size_t all =
-        m_frames.size() * static_cast<std::size_t>(m_plan.repeats + 1);
+    const std::size_t all = m_frames.size() * static_cast<std::size_t>(m_plan.repeats + 1);
     for (const Frame& frame : m_frames) {
         if (!frame.view.history_valid) {
             reset_histories();
@@ -271,12 +272,14 @@ void RoundRunner::time_converged(int repeat) {
             CellTimes times;
             for (int i = 0; i < cell.record().warm_frames; ++i) {
                 const Frame& shown = i == 0 ? single : held;
-                static_cast<void>(cell.render(make_inputs(cell, shown.view), PassTiming::none, m_timer, times));
+                static_cast<void>(
+                    cell.render(make_inputs(cell, shown.view), PassTiming::none, m_timer, times));
             }
             for (int i = 0; i < kConvergedFrames; ++i) {
                 const PassTiming timing =
                     (repeat + i) % 2 != 0 ? PassTiming::divided : PassTiming::envelope;
-                static_cast<void>(cell.render(make_inputs(cell, held.view), timing, m_timer, times));
+                static_cast<void>(
+                    cell.render(make_inputs(cell, held.view), timing, m_timer, times));
                 add_cell_samples(cell, held, repeat, SampleState::converged, timing, times);
             }
         }
@@ -284,8 +287,7 @@ void RoundRunner::time_converged(int repeat) {
 }
 
 void RoundRunner::capture(const RoundEvents& events) {
-    const std::size_t all =
-        m_frames.size() * static_cast<std::size_t>(m_plan.repeats + 1);
+    const std::size_t all = m_frames.size() * static_cast<std::size_t>(m_plan.repeats + 1);
     m_result.done.reference_cached = true;
     for (const Frame& frame : m_frames) {
         if (!frame.view.history_valid) {
@@ -344,7 +346,8 @@ void RoundRunner::capture_frame(const Frame& frame, SampleState state) {
             cell.method().reset_history();
             for (int i = 0; i < cell.record().warm_frames; ++i) {
                 const FrameView view = i == 0 ? frame.view : hold(frame.view);
-                static_cast<void>(cell.render(make_inputs(cell, view), PassTiming::none, m_timer, times));
+                static_cast<void>(
+                    cell.render(make_inputs(cell, view), PassTiming::none, m_timer, times));
             }
         }
         const Frame shown{frame.segment, is_converged ? hold(frame.view) : frame.view};
@@ -382,7 +385,8 @@ void RoundRunner::capture_cell(MethodCell& cell, const Frame& frame, SampleState
             row.state = state;
             row.metric = unit->name;
             row.image_hash = image_hash;
-            if (visibility.width() < unit->smallest_side || visibility.height() < unit->smallest_side) {
+            if (visibility.width() < unit->smallest_side ||
+                visibility.height() < unit->smallest_side) {
                 row.note = "image smaller than the metric's window";
             } else {
                 const MetricResult result =

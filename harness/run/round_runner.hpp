@@ -1,6 +1,6 @@
 #pragma once
-// One round (DESIGN 3.1 to 3.5): R timing replays in which all cells share every frame in shuffled order, then one capture
-// replay that takes images and stores no time.
+// One round (DESIGN 3.1 to 3.5): R timing replays in which all cells share every frame in shuffled
+// order, then one capture replay that takes images and stores no time.
 
 #include "core/frame/scene_renderer.hpp"
 #include "harness/run/method_cell.hpp"
@@ -48,7 +48,8 @@ class RoundRunner {
     void capture(const RoundEvents& events);
     void capture_frame(const Frame& frame, SampleState state);
     void capture_cell(MethodCell& cell, const Frame& frame, SampleState state,
-                      const ReferencePair& reference, const Image& reference_mean, bool keeps_images);
+                      const ReferencePair& reference, const Image& reference_mean,
+                      bool keeps_images);
     void render_gbuffers(const Frame& frame, std::optional<int> repeat);
     void reset_histories();
     void warm_up(const Frame& frame);

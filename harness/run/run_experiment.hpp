@@ -23,10 +23,12 @@ struct RunEvents {
     /// Share of the whole run that is done, in [0,1], and what is being done.
     std::function<void(double, const std::string&)> progress = [](double, const std::string&) {};
     /// The page can be rewritten: a round is finished (no first times), or has its first repeat.
-    std::function<void(const std::vector<FirstTime>&)> update = [](const std::vector<FirstTime>&) {};
+    std::function<void(const std::vector<FirstTime>&)> update = [](const std::vector<FirstTime>&) {
+    };
 };
 
-/// Runs what is left of the run's plan. Throws what scenes, devices and disks throw; rounds already finished stay.
+/// Runs what is left of the run's plan. Throws what scenes, devices and disks throw; rounds already
+/// finished stay.
 void run_experiment(RunFolder& run, gl::Context& context, gl::TimerMode timer_mode,
                     const Units& units, const RunEvents& events);
 

@@ -9,8 +9,8 @@ namespace {
 class Anchor final : public Method {
   public:
     explicit Anchor(const gl::Functions& gl)
-        : m_gl(gl),
-          m_program(gl, make_method_shader_library(), "methods/anchor/anchor.frag.glsl") {}
+        : m_gl(gl), m_program(gl, make_method_shader_library(), "methods/anchor/anchor.frag.glsl") {
+    }
 
     MethodRequests get_requests() const override { return {{Channel::eye_depth}, false}; }
 

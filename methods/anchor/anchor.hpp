@@ -1,6 +1,6 @@
 #pragma once
-// The yardstick of every time: one pass, 32 fetches of eye depth at fixed offsets. Times of different rounds and runs are
-// compared only through their ratio to it.
+// The yardstick of every time: one pass, 32 fetches of eye depth at fixed offsets. Times of
+// different rounds and runs are compared only through their ratio to it.
 
 #include "core/contract/method.hpp"
 

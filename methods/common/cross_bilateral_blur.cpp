@@ -5,8 +5,9 @@
 namespace alcove {
 
 CrossBilateralBlur::CrossBilateralBlur(const gl::Functions& gl)
-    : m_gl(&gl), m_program(gl, make_method_shader_library(),
-                           "methods/common/cross_bilateral_blur.frag.glsl") {}
+    : m_gl(&gl),
+      m_program(gl, make_method_shader_library(), "methods/common/cross_bilateral_blur.frag.glsl") {
+}
 
 void CrossBilateralBlur::resize(ImageSize size) {
     m_intermediate = gl::Texture(*m_gl, GL_R32F, size);

@@ -7,8 +7,9 @@
 namespace alcove {
 
 struct CrossBilateralBlurSettings {
-    int radius = 2;               ///< taps on each side of the centre, >= 1
-    double edge_distance_m = 0.1; ///< distance off the receiver's tangent plane with weight 1/e; infinity: plain blur
+    int radius = 2; ///< taps on each side of the centre, >= 1
+    double edge_distance_m =
+        0.1; ///< distance off the receiver's tangent plane with weight 1/e; infinity: plain blur
 };
 
 class CrossBilateralBlur {
@@ -16,7 +17,8 @@ class CrossBilateralBlur {
     CrossBilateralBlur() = default;
     explicit CrossBilateralBlur(const gl::Functions& gl);
     void resize(ImageSize size);
-    /// Blurs `visibility` along x into an own texture, then along y back. Passes `<owner>/blur_x`, `<owner>/blur_y`.
+    /// Blurs `visibility` along x into an own texture, then along y back. Passes `<owner>/blur_x`,
+    /// `<owner>/blur_y`.
     void render(const MethodInputs& inputs, const CrossBilateralBlurSettings& settings,
                 const gl::Texture& visibility, GLuint visibility_framebuffer,
                 const std::string& owner, PassRecorder& passes) const;

@@ -1,6 +1,6 @@
 #pragma once
-// A method's parameters on their way into its shaders: `#include "parameters.glsl"` on one side, the uniform block's
-// bytes on the other, both from the one table.
+// A method's parameters on their way into its shaders: `#include "parameters.glsl"` on one side,
+// the uniform block's bytes on the other, both from the one table.
 
 #include "core/base/parameters.hpp"
 #include "core/gl/program.hpp"

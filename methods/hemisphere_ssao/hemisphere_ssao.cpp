@@ -17,30 +17,65 @@ constexpr GLuint kKernelBinding = 1;
 ParameterTable make_table() {
     using P = HemisphereSsaoParams;
     const char* const kTssao = "Mattausch et al. 2010";
-    return describe_parameters("hemisphere_ssao", {
-        real(&P::radius, "radius").range(1e-4, 1e3).log_scale().unit("m").symbol("r")
-            .default_expression("scene_radius").meaning("Reach of the samples.").source(kTssao),
-        integer(&P::samples, "samples").range(1, 512).log_scale().rebuild().unit("samples").symbol("n")
-            .meaning("Samples a pixel.").source(kTssao),
-        choice(&P::directions, "directions", {"uniform", "cosine"}).rebuild()
-            .meaning("Directions uniform over the hemisphere, each hit weighted by 2 cos, or distributed as the "
-                     "cosine with equal weights.").source(kTssao),
-        boolean(&P::rotation, "rotation").rebuild()
-            .meaning("Turns the kernel by a random angle about the normal, a pixel.").source(kTssao),
-        real(&P::cut, "cut").range(1.0, 4.0).unit("r")
-            .meaning("Surfaces farther than this from the receiver never block.").source(kTssao),
-        real(&P::bias, "bias").range(0.0, 4.0).unit("half pixel footprints")
-            .meaning("Depth bias along the receiver's tangent plane; 1 is exact for planes at any tilt.")
-            .source("ours"),
-        choice(&P::border, "border", {"open", "clamp"}).rebuild()
-            .meaning("Samples outside the image: never blocked, or compared with the nearest pixel.")
-            .source("clamp: Mattausch et al. 2010"),
-        integer(&P::blur_radius, "blur_radius").range(0, 8).unit("px")
-            .meaning("Taps on each side of the cross-bilateral blur; 0 is off.").source(kTssao),
-        real(&P::blur_edge, "blur_edge").range(0.001, 10.0).log_scale().unit("r")
-            .meaning("Distance off the receiver's tangent plane at which a tap's weight is 1/e: small keeps edges "
-                     "(weak blur), large blurs over them (strong blur).").source("ours"),
-    });
+    return describe_parameters(
+        "hemisphere_ssao",
+        {
+            real(&P::radius, "radius")
+                .range(1e-4, 1e3)
+                .log_scale()
+                .unit("m")
+                .symbol("r")
+                .default_expression("scene_radius")
+                .meaning("Reach of the samples.")
+                .source(kTssao),
+            integer(&P::samples, "samples")
+                .range(1, 512)
+                .log_scale()
+                .rebuild()
+                .unit("samples")
+                .symbol("n")
+                .meaning("Samples a pixel.")
+                .source(kTssao),
+            choice(&P::directions, "directions", {"uniform", "cosine"})
+                .rebuild()
+                .meaning("Directions uniform over the hemisphere, each hit weighted by 2 cos, or "
+                         "distributed as the "
+                         "cosine with equal weights.")
+                .source(kTssao),
+            boolean(&P::rotation, "rotation")
+                .rebuild()
+                .meaning("Turns the kernel by a random angle about the normal, a pixel.")
+                .source(kTssao),
+            real(&P::cut, "cut")
+                .range(1.0, 4.0)
+                .unit("r")
+                .meaning("Surfaces farther than this from the receiver never block.")
+                .source(kTssao),
+            real(&P::bias, "bias")
+                .range(0.0, 4.0)
+                .unit("half pixel footprints")
+                .meaning("Depth bias along the receiver's tangent plane; 1 is exact for planes at "
+                         "any tilt.")
+                .source("ours"),
+            choice(&P::border, "border", {"open", "clamp"})
+                .rebuild()
+                .meaning(
+                    "Samples outside the image: never blocked, or compared with the nearest pixel.")
+                .source("clamp: Mattausch et al. 2010"),
+            integer(&P::blur_radius, "blur_radius")
+                .range(0, 8)
+                .unit("px")
+                .meaning("Taps on each side of the cross-bilateral blur; 0 is off.")
+                .source(kTssao),
+            real(&P::blur_edge, "blur_edge")
+                .range(0.001, 10.0)
+                .log_scale()
+                .unit("r")
+                .meaning("Distance off the receiver's tangent plane at which a tap's weight is "
+                         "1/e: small keeps edges "
+                         "(weak blur), large blurs over them (strong blur).")
+                .source("ours"),
+        });
 }
 
 class HemisphereSsao final : public Method {
@@ -104,8 +139,8 @@ class HemisphereSsao final : public Method {
     gl::FramebufferHandle m_framebuffer;
 };
 
-std::vector<ParameterOverride> make_overrides(
-    std::initializer_list<std::pair<const char*, const char*>> values) {
+std::vector<ParameterOverride>
+make_overrides(std::initializer_list<std::pair<const char*, const char*>> values) {
     std::vector<ParameterOverride> overrides;
     for (const auto& [name, value] : values) {
         overrides.push_back({name, value, Provenance::preset});
@@ -113,23 +148,40 @@ std::vector<ParameterOverride> make_overrides(
     return overrides;
 }
 
-/// Without bias a plane darkens where its depth changes within a pixel: that is what the paper's form does.
+/// Without bias a plane darkens where its depth changes within a pixel: that is what the paper's
+/// form does.
 std::vector<Preset> make_presets() {
-    const char* const kNoBias =
-        "no depth bias, as published: a tilted plane blocks itself (3.5/255 at 60 degrees, 6.2/255 at 75)";
+    const char* const kNoBias = "no depth bias, as published: a tilted plane blocks itself "
+                                "(3.5/255 at 60 degrees, 6.2/255 at 75)";
     return {
-        {"default", "16 cosine samples, weak blur, bias of half a pixel footprint", {}, 1.0, 2.0, ""},
+        {"default",
+         "16 cosine samples, weak blur, bias of half a pixel footprint",
+         {},
+         1.0,
+         2.0,
+         ""},
         {"strong_blur", "as default, blurred over edges with a wider kernel",
          make_overrides({{"blur_radius", "4"}, {"blur_edge", "1"}}), 1.0, 2.0, ""},
         {"paper_weak_blur",
-         "SSAO without history as Mattausch et al. 2010 compare with: 32 samples, high weight on discontinuities "
+         "SSAO without history as Mattausch et al. 2010 compare with: 32 samples, high weight on "
+         "discontinuities "
          "(kernel size not published, ours 5x5)",
-         make_overrides({{"samples", "32"}, {"directions", "uniform"}, {"bias", "0"}, {"border", "clamp"},
-                         {"blur_radius", "2"}, {"blur_edge", "0.05"}}), 4.0, 7.0, kNoBias},
+         make_overrides({{"samples", "32"},
+                         {"directions", "uniform"},
+                         {"bias", "0"},
+                         {"border", "clamp"},
+                         {"blur_radius", "2"},
+                         {"blur_edge", "0.05"}}),
+         4.0, 7.0, kNoBias},
         {"paper_strong_blur",
          "the same with low weight on discontinuities (kernel size not published, ours 9x9)",
-         make_overrides({{"samples", "32"}, {"directions", "uniform"}, {"bias", "0"}, {"border", "clamp"},
-                         {"blur_radius", "4"}, {"blur_edge", "1"}}), 4.0, 7.0, kNoBias},
+         make_overrides({{"samples", "32"},
+                         {"directions", "uniform"},
+                         {"bias", "0"},
+                         {"border", "clamp"},
+                         {"blur_radius", "4"},
+                         {"blur_edge", "1"}}),
+         4.0, 7.0, kNoBias},
         {"converged", "the estimator's own limit: 512 samples, no blur",
          make_overrides({{"samples", "512"}, {"blur_radius", "0"}}), 1.0, 2.0, ""},
     };
@@ -150,8 +202,9 @@ TargetMapping map_target(const Target& target) {
                           std::string("weighting uniform asked for, cosine computed");
     }
     if (target.normals != Normals::shading) {
-        mapping.reason += (mapping.reason.empty() ? "" : "; ") +
-                          std::string("geometric normals asked for, the G-buffer's shading normals used");
+        mapping.reason +=
+            (mapping.reason.empty() ? "" : "; ") +
+            std::string("geometric normals asked for, the G-buffer's shading normals used");
     }
     return mapping;
 }
@@ -176,8 +229,9 @@ MethodUnit hemisphere_ssao_unit() {
     MethodUnit unit;
     unit.name = "hemisphere_ssao";
     unit.title = "Hemisphere SSAO";
-    unit.citation = "Mattausch, Scherzer, Wimmer. High-quality screen-space ambient occlusion using temporal "
-                    "coherence. 2010 (its estimator, without history)";
+    unit.citation =
+        "Mattausch, Scherzer, Wimmer. High-quality screen-space ambient occlusion using temporal "
+        "coherence. 2010 (its estimator, without history)";
     unit.parameters = make_table();
     unit.presets = make_presets();
     unit.plane_response = 1.0;

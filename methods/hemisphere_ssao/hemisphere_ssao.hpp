@@ -1,7 +1,8 @@
 #pragma once
-// Points in the oriented hemisphere, projected and compared with the depth buffer: the estimator that Mattausch, Scherzer
-// and Wimmer (2010) build on, without history. With the step length uniform in [0, r] an occluder at distance d is
-// counted with probability 1 - d/r, which is linear falloff.
+// Points in the oriented hemisphere, projected and compared with the depth buffer: the estimator
+// that Mattausch, Scherzer and Wimmer (2010) build on, without history. With the step length
+// uniform in [0, r] an occluder at distance d is counted with probability 1 - d/r, which is linear
+// falloff.
 
 #include "core/contract/method.hpp"
 
@@ -15,15 +16,15 @@ enum class KernelDirections { uniform, cosine };
 enum class KernelBorder { open, clamp };
 
 struct HemisphereSsaoParams {
-    double radius = 0.5;       ///< metres
-    int samples = 16;          ///< a pixel
+    double radius = 0.5; ///< metres
+    int samples = 16;    ///< a pixel
     KernelDirections directions = KernelDirections::cosine;
-    bool rotation = true;      ///< a random angle about the normal, a pixel
-    double cut = 2.0;          ///< in radii
-    double bias = 1.0;         ///< in half pixel footprints along the surface
+    bool rotation = true; ///< a random angle about the normal, a pixel
+    double cut = 2.0;     ///< in radii
+    double bias = 1.0;    ///< in half pixel footprints along the surface
     KernelBorder border = KernelBorder::open;
-    int blur_radius = 2;       ///< pixels on each side; 0: no blur
-    double blur_edge = 0.05;   ///< in radii off the tangent plane
+    int blur_radius = 2;     ///< pixels on each side; 0: no blur
+    double blur_edge = 0.05; ///< in radii off the tangent plane
 };
 
 /// The sample points: xyz = unit direction with z along the normal, w = step length in radii.

@@ -1,6 +1,6 @@
 #pragma once
-// Ray-traced visibility: truth for a target, in world space, over the same posed triangles that are rasterised, with two
-// independent randomisations that tell its own noise. No OpenGL.
+// Ray-traced visibility: truth for a target, in world space, over the same posed triangles that are
+// rasterised, with two independent randomisations that tell its own noise. No OpenGL.
 
 #include "core/base/camera.hpp"
 #include "core/base/target.hpp"
@@ -13,14 +13,15 @@ namespace alcove {
 
 struct TraceSettings {
     Target target;
-    int rays_per_half = 64;  ///< a pixel and half, >= 1; multiples of 16 fill the bundles
+    int rays_per_half = 64; ///< a pixel and half, >= 1; multiples of 16 fill the bundles
     std::uint32_t seed = 0;
     /// Start rays of shading normals where no neighbouring facet cuts them off.
     bool terminator_safe = true;
     int threads = 0; ///< 0: all cores. The image does not depend on it
 };
 
-/// Visibility in two halves, one channel each; background 1. Their mean is the reference, RMS(a - b) / 2 its noise.
+/// Visibility in two halves, one channel each; background 1. Their mean is the reference, RMS(a -
+/// b) / 2 its noise.
 struct ReferencePair {
     Image a;
     Image b;
@@ -39,12 +40,13 @@ class RayTracer {
     RayTracer(const RayTracer&) = delete;
     RayTracer& operator=(const RayTracer&) = delete;
 
-    /// Builds the tree, unless it is already that of this static scene. The scene must outlive its use.
-    /// Throws FailureError if Embree fails.
+    /// Builds the tree, unless it is already that of this static scene. The scene must outlive its
+    /// use. Throws FailureError if Embree fails.
     void update(const PosedGeometry& geometry);
 
-    /// Evaluated where the ray through the pixel centre hits; rays are blocked by either side of a surface; normals are
-    /// turned to the viewer; near and far clip camera rays only. Asserts that update was called.
+    /// Evaluated where the ray through the pixel centre hits; rays are blocked by either side of a
+    /// surface; normals are turned to the viewer; near and far clip camera rays only. Asserts that
+    /// update was called.
     [[nodiscard]] ReferencePair trace(const Camera& camera, ImageSize size,
                                       const TraceSettings& settings) const;
 

@@ -7,18 +7,35 @@ namespace {
 
 ParameterTable make_table() {
     using P = ReferenceRayTracedParams;
-    return describe_parameters("reference_ray_traced", {
-        real(&P::radius, "radius").range(1e-4, 1e3).log_scale().unit("m").symbol("r")
-            .default_expression("scene_radius").meaning("Length of the rays.").source("target"),
-        integer(&P::rays, "rays").range(2, 16384).log_scale().unit("rays").symbol("N")
-            .meaning("Rays a pixel in all, in two independent halves; an odd number is rounded down.").source("ours"),
-        choice(&P::falloff, "falloff", {"none", "linear", "quadratic"})
-            .meaning("Weight of a hit at distance d: 1, 1 - d/r, 1 - (d/r)^2.").source("target"),
-        choice(&P::weighting, "weighting", {"cosine", "uniform"})
-            .meaning("Weight of a direction.").source("target"),
-        choice(&P::normals, "normals", {"shading", "geometric"})
-            .meaning("Normal that spans the hemisphere.").source("target"),
-    });
+    return describe_parameters(
+        "reference_ray_traced",
+        {
+            real(&P::radius, "radius")
+                .range(1e-4, 1e3)
+                .log_scale()
+                .unit("m")
+                .symbol("r")
+                .default_expression("scene_radius")
+                .meaning("Length of the rays.")
+                .source("target"),
+            integer(&P::rays, "rays")
+                .range(2, 16384)
+                .log_scale()
+                .unit("rays")
+                .symbol("N")
+                .meaning("Rays a pixel in all, in two independent halves; an odd number is rounded "
+                         "down.")
+                .source("ours"),
+            choice(&P::falloff, "falloff", {"none", "linear", "quadratic"})
+                .meaning("Weight of a hit at distance d: 1, 1 - d/r, 1 - (d/r)^2.")
+                .source("target"),
+            choice(&P::weighting, "weighting", {"cosine", "uniform"})
+                .meaning("Weight of a direction.")
+                .source("target"),
+            choice(&P::normals, "normals", {"shading", "geometric"})
+                .meaning("Normal that spans the hemisphere.")
+                .source("target"),
+        });
 }
 
 class ReferenceRayTraced final : public Method {
@@ -38,8 +55,9 @@ class ReferenceRayTraced final : public Method {
         settings.target = {m_params.radius, m_params.falloff, m_params.weighting, m_params.normals};
         settings.rays_per_half = m_params.rays / 2;
         settings.seed = inputs.noise_seed;
-        gl::write_texture(m_gl, m_visibility,
-                          compute_mean(m_tracer.trace(inputs.view.camera, inputs.view.size, settings)));
+        gl::write_texture(
+            m_gl, m_visibility,
+            compute_mean(m_tracer.trace(inputs.view.camera, inputs.view.size, settings)));
         return {&m_visibility, nullptr};
     }
 
@@ -56,8 +74,9 @@ MethodUnit reference_ray_traced_unit() {
     MethodUnit unit;
     unit.name = "reference_ray_traced";
     unit.title = "Ray-traced reference";
-    unit.citation = "Embree 3 (Wald et al. Embree: a kernel framework for efficient CPU ray tracing. 2014), "
-                    "Owen-scrambled Sobol rays (Burley 2020)";
+    unit.citation =
+        "Embree 3 (Wald et al. Embree: a kernel framework for efficient CPU ray tracing. 2014), "
+        "Owen-scrambled Sobol rays (Burley 2020)";
     unit.is_reference = true;
     unit.parameters = make_table();
     unit.presets = {{"default", "64 rays in each of two halves", {}, 1.0, 2.0, ""}};

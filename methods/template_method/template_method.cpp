@@ -9,10 +9,15 @@ namespace {
 
 ParameterTable make_table() {
     using P = TemplateMethodParams;
-    return describe_parameters("template_method", {
-        real(&P::strength, "strength").range(0.0, 1.0).unit("1").symbol("k")
-            .meaning("Share of light that a surface seen edge-on loses.").source("ours"),
-    });
+    return describe_parameters("template_method",
+                               {
+                                   real(&P::strength, "strength")
+                                       .range(0.0, 1.0)
+                                       .unit("1")
+                                       .symbol("k")
+                                       .meaning("Share of light that a surface seen edge-on loses.")
+                                       .source("ours"),
+                               });
 }
 
 class TemplateMethod final : public Method {

@@ -1,6 +1,7 @@
 #pragma once
-// What a newcomer copies: the smallest whole method, with one pass and one parameter. Compiled and tested, never
-// reported. It darkens surfaces that are turned away from the viewer, which is no occlusion at all.
+// What a newcomer copies: the smallest whole method, with one pass and one parameter. Compiled and
+// tested, never reported. It darkens surfaces that are turned away from the viewer, which is no
+// occlusion at all.
 
 #include "core/contract/method.hpp"
 

@@ -8,8 +8,10 @@ double compute_mean_product(const Image& a, const Image& b, const Image& c, cons
     const std::size_t count = a.values().size();
     double sum = 0.0;
     for (std::size_t i = 0; i < count; ++i) {
-        const double first = static_cast<double>(a.values()[i]) - static_cast<double>(b.values()[i]);
-        const double second = static_cast<double>(c.values()[i]) - static_cast<double>(d.values()[i]);
+        const double first =
+            static_cast<double>(a.values()[i]) - static_cast<double>(b.values()[i]);
+        const double second =
+            static_cast<double>(c.values()[i]) - static_cast<double>(d.values()[i]);
         sum += first * second;
     }
     return sum / static_cast<double>(count);

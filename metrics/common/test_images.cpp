@@ -38,6 +38,8 @@ Image make_noisy_ramp() {
     });
 }
 
-Image make_constant(int code) { return Image({64, 64}, 1, static_cast<float>(code) / 255.0f); }
+Image make_constant(int code) {
+    return Image({64, 64}, 1, static_cast<float>(code) / 255.0f);
+}
 
 } // namespace alcove

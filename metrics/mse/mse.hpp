@@ -1,5 +1,6 @@
 #pragma once
-// Mean squared error, in units of the squared value (peak 1): tables in code units are 65025 times this.
+// Mean squared error, in units of the squared value (peak 1): tables in code units are 65025 times
+// this.
 
 #include "core/contract/metric.hpp"
 

@@ -34,7 +34,8 @@ MetricUnit psnr_unit() {
     unit.name = "psnr";
     unit.title = "Peak signal-to-noise ratio";
     unit.unit = "dB";
-    unit.definition = "10 log10(1 / mse), peak 1, on the values that mse runs on. Equal images have none (infinite).";
+    unit.definition = "10 log10(1 / mse), peak 1, on the values that mse runs on. Equal images "
+                      "have none (infinite).";
     unit.blind_to = "all that mse is blind to.";
     unit.direction = Direction::higher_is_better;
     unit.minimum = -std::numeric_limits<double>::infinity();

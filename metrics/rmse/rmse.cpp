@@ -18,7 +18,8 @@ class Rmse final : public Metric {
         MetricResult result;
         result.value = std::sqrt(error.mean);
         if (error.debiased) {
-            // Its expectation is the true squared error; by chance it may fall below 0, which then reads as 0.
+            // Its expectation is the true squared error; by chance it may fall below 0, which then
+            // reads as 0.
             result.debiased = std::sqrt(std::max(0.0, *error.debiased));
             result.floor = std::sqrt(*error.noise);
         }
@@ -37,9 +38,9 @@ MetricUnit rmse_unit() {
     unit.name = "rmse";
     unit.title = "Root mean squared error";
     unit.unit = "value";
-    unit.definition =
-        "Square root of mse. With two halves A, B of the reference: debiased = sqrt(max(0, mean (t - A)(t - B))), "
-        "floor = RMS(A - B) / 2, the reference's own standard error.";
+    unit.definition = "Square root of mse. With two halves A, B of the reference: debiased = "
+                      "sqrt(max(0, mean (t - A)(t - B))), "
+                      "floor = RMS(A - B) / 2, the reference's own standard error.";
     unit.blind_to = "where errors lie and whether they are seen.";
     unit.maximum = std::numeric_limits<double>::infinity();
     unit.best = 0.0;

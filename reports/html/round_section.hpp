@@ -33,7 +33,8 @@ inline constexpr std::size_t kSeriesColors = 10;
 /// Class that gives an element a cell's colour: "series-3", or "series-anchor" for both anchors.
 [[nodiscard]] std::string get_series_class(const CellAnalysis& cell, std::size_t index);
 
-/// A method's name with its colour; `index` is its position in the round, `badge` markup that stands behind the name.
+/// A method's name with its colour; `index` is its position in the round, `badge` markup that
+/// stands behind the name.
 [[nodiscard]] std::string make_label(const CellAnalysis& cell, std::size_t index,
                                      std::string_view badge = {});
 

@@ -1,11 +1,12 @@
 #pragma once
-// The run folder: what a run leaves behind, written so that a kill at any moment loses at most the round in flight, and
-// read back without the program that made it. The layout and every column are documented in reports/README.md.
+// The run folder: what a run leaves behind, written so that a kill at any moment loses at most the
+// round in flight, and read back without the program that made it. The layout and every column are
+// documented in reports/README.md.
 //
 //   context.json                      build, device, timers: made once
-//   plan.json                         what is to be run, with the description of every unit: made once
-//   rounds/<id>/{samples.csv,metrics.csv,done.json}   a finished round; the folder appears by one rename
-//   samples.csv, metrics.csv          all finished rounds, rebuilt after each
+//   plan.json                         what is to be run, with the description of every unit: made
+//   once rounds/<id>/{samples.csv,metrics.csv,done.json}   a finished round; the folder appears by
+//   one rename samples.csv, metrics.csv          all finished rounds, rebuilt after each
 //   images/<round>/<cell>/...         pictures of the chosen frames
 //   report/index.html                 the page
 
@@ -17,13 +18,15 @@
 
 namespace alcove {
 
-/// Raised whenever a file's layout or a column's meaning changes; older and newer folders are refused by name.
+/// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
+/// refused by name.
 inline constexpr int kRunSchemaVersion = 1;
 
-/// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece. Intervals and gates use
-/// the envelope.
+/// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
+/// Intervals and gates use the envelope.
 enum class SampleKind { divided, envelope };
-/// cold: as replayed, history reset at the segment's start. converged: time and camera held for warm_frames() first.
+/// cold: as replayed, history reset at the segment's start. converged: time and camera held for
+/// warm_frames() first.
 enum class SampleState { cold, converged };
 
 [[nodiscard]] std::string_view to_text(SampleKind kind);
@@ -32,13 +35,15 @@ enum class SampleState { cold, converged };
 /// One time: one pass (or envelope) of one frame in one repeat.
 struct SampleRow {
     std::string round;
-    std::string cell; ///< a cell's id; "harness" for rows charged to nobody (base G-buffer, compose)
+    std::string
+        cell; ///< a cell's id; "harness" for rows charged to nobody (base G-buffer, compose)
     int segment = 0;
     int frame = 0;
     int repeat = 0; ///< from 0
     SampleKind kind = SampleKind::divided;
     SampleState state = SampleState::cold;
-    /// "hemisphere_ssao/occlusion"; "envelope" for kind envelope; "input/base", "input/motion", "harness/compose"
+    /// "hemisphere_ssao/occlusion"; "envelope" for kind envelope; "input/base", "input/motion",
+    /// "harness/compose"
     std::string pass;
     std::int64_t time_ns = 0;
     bool cached = false; ///< input cost stored with a reused G-buffer; gates ignore it
@@ -77,16 +82,16 @@ struct ParameterRecord {
 enum class CellRole { method, anchor, anchor_repeat };
 
 struct CellRecord {
-    std::string id;     ///< unique in the run, safe as a folder name: [a-z0-9_.-]
-    std::string label;  ///< what people read: "hemisphere_ssao@strong_blur:samples=32"
+    std::string id;    ///< unique in the run, safe as a folder name: [a-z0-9_.-]
+    std::string label; ///< what people read: "hemisphere_ssao@strong_blur:samples=32"
     std::string method;
     std::string preset; ///< "default" if none
     CellRole role = CellRole::method;
     bool has_passes = true; ///< false for `none`: its time is 0 by definition and has no ratio row
     std::vector<ParameterRecord> parameters;
-    std::string target;         ///< describe(Target) as asked for
-    std::string target_note;    ///< what the method cannot map, in words; empty if it maps all of it
-    int warm_frames = 0;        ///< 0: one value stands in both the cold and the converged column
+    std::string target;      ///< describe(Target) as asked for
+    std::string target_note; ///< what the method cannot map, in words; empty if it maps all of it
+    int warm_frames = 0;     ///< 0: one value stands in both the cold and the converged column
     std::string effects = "all";
 };
 
@@ -112,7 +117,7 @@ struct MetricDescription {
     std::string unit;
     std::string definition;
     std::string blind_to;
-    std::string domain;     ///< "values" or "view"
+    std::string domain; ///< "values" or "view"
     bool lower_is_better = true;
 };
 
@@ -184,7 +189,7 @@ struct ContextRecord {
 /// A round's closing note, beside its two CSVs.
 struct RoundDone {
     double wall_s = 0.0;
-    double gbuffer_s = 0.0;  ///< parts of the wall time
+    double gbuffer_s = 0.0; ///< parts of the wall time
     double passes_s = 0.0;
     double metrics_s = 0.0;
     double reference_s = 0.0; ///< tracing or reading the reference
@@ -198,8 +203,8 @@ class RunFolder {
     /// Creates it. Throws InputError if it cannot be written to or already holds a run.
     [[nodiscard]] static RunFolder create(const std::filesystem::path& path,
                                           const ContextRecord& context, const PlanRecord& plan);
-    /// Opens an existing one. Throws InputError naming the file, line or key on anything malformed, and on another
-    /// schema version.
+    /// Opens an existing one. Throws InputError naming the file, line or key on anything malformed,
+    /// and on another schema version.
     [[nodiscard]] static RunFolder open(const std::filesystem::path& path);
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return m_path; }
@@ -210,7 +215,8 @@ class RunFolder {
     /// All rounds of the plan are finished.
     [[nodiscard]] bool is_complete() const;
 
-    /// Writes rounds/<id> under a temporary name, syncs, renames, then rebuilds the two CSVs on top.
+    /// Writes rounds/<id> under a temporary name, syncs, renames, then rebuilds the two CSVs on
+    /// top.
     void finish_round(const std::string& round_id, const std::vector<SampleRow>& samples,
                       const std::vector<MetricRow>& metrics, const RoundDone& done);
     /// Writes samples.csv and metrics.csv anew from the finished rounds.
@@ -221,7 +227,8 @@ class RunFolder {
     [[nodiscard]] std::vector<MetricRow> read_metrics() const;
     [[nodiscard]] std::optional<RoundDone> read_done(const std::string& round_id) const;
 
-    /// images/<round>/<cell>/<name>, relative to the run folder with '/' separators. `cell` may be "reference".
+    /// images/<round>/<cell>/<name>, relative to the run folder with '/' separators. `cell` may be
+    /// "reference".
     [[nodiscard]] static std::string make_image_path(const std::string& round_id,
                                                      const std::string& cell_id, int frame,
                                                      std::string_view picture);

@@ -1,5 +1,6 @@
 #pragma once
-// A method that leaves GL as dirty as it can: nothing another method draws may depend on what ran before it.
+// A method that leaves GL as dirty as it can: nothing another method draws may depend on what ran
+// before it.
 
 #include "core/contract/method.hpp"
 

@@ -28,7 +28,8 @@ struct Shot {
 
 class MethodContract : public GlTest, public testing::WithParamInterface<MethodUnit> {
   protected:
-    static ResolvedParameters resolve(std::vector<ParameterOverride> overrides, double radius_m = 0.5) {
+    static ResolvedParameters resolve(std::vector<ParameterOverride> overrides,
+                                      double radius_m = 0.5) {
         return GetParam().parameters.resolve(overrides, {{"scene_radius", radius_m}});
     }
 
@@ -88,7 +89,8 @@ TEST_P(MethodContract, DescriptionIsComplete) {
     for (const Preset& preset : unit.presets) {
         EXPECT_FALSE(preset.meaning.empty()) << preset.name;
         const bool is_own = preset.plane_tolerance != 1.0 || preset.plane_tolerance_75 != 2.0;
-        EXPECT_EQ(is_own, !preset.plane_reason.empty()) << preset.name << ": a tolerance needs its reason";
+        EXPECT_EQ(is_own, !preset.plane_reason.empty())
+            << preset.name << ": a tolerance needs its reason";
     }
     if (unit.converged_preset) {
         EXPECT_NO_THROW(static_cast<void>(unit.find_preset(*unit.converged_preset)));
@@ -176,7 +178,8 @@ TEST_P(MethodContract, PlaneResponseHoldsAtEveryTilt) {
     for (const Preset& preset : GetParam().presets) {
         for (const int tilt : {0, 15, 30, 45, 60, 75}) {
             const TestScene scene = make_plane_scene(tilt * std::numbers::pi / 180.0);
-            const Image visibility = shoot(scene, resolve(preset_overrides(preset)), size).visibility;
+            const Image visibility =
+                shoot(scene, resolve(preset_overrides(preset)), size).visibility;
             double sum = 0.0;
             for (int y = 112; y < 176; ++y) {
                 for (int x = 160; x < 224; ++x) {
@@ -192,12 +195,14 @@ TEST_P(MethodContract, PlaneResponseHoldsAtEveryTilt) {
 
 TEST_P(MethodContract, AWorldFarFromZeroLooksTheSame) {
     const Image near_zero = shoot(make_box_scene(), resolve({})).visibility;
-    const Image far_away = shoot(make_box_scene(glm::dvec3(1e7, -1e7, 1e7)), resolve({})).visibility;
+    const Image far_away =
+        shoot(make_box_scene(glm::dvec3(1e7, -1e7, 1e7)), resolve({})).visibility;
     int different = 0;
     for (std::size_t i = 0; i < near_zero.values().size(); ++i) {
         different += std::abs(near_zero.values()[i] - far_away.values()[i]) > 1.0f / 255.0f ? 1 : 0;
     }
-    // 1e7 m in double has steps of 2e-9 m: a pixel whose centre lies that close to a silhouette may change sides.
+    // 1e7 m in double has steps of 2e-9 m: a pixel whose centre lies that close to a silhouette may
+    // change sides.
     EXPECT_LE(different, 2);
 }
 

@@ -77,18 +77,20 @@ TEST_P(MetricContract, ADifferentSizeThrows) {
 
 TEST_P(MetricContract, NanAndInfinityThrow) {
     const Image good = make_image();
-    for (const float bad : {std::numeric_limits<float>::quiet_NaN(),
-                            std::numeric_limits<float>::infinity()}) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Image image = good;
         image.at(3, 4) = bad;
         EXPECT_THROW(static_cast<void>(m_metric->evaluate({image, good})), InputError);
         EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, image})), InputError);
-        EXPECT_THROW(static_cast<void>(evaluate_in_domain(GetParam(), *m_metric, {image, good},
-                                                          Domain::linear)),
+        EXPECT_THROW(static_cast<void>(
+                         evaluate_in_domain(GetParam(), *m_metric, {image, good}, Domain::linear)),
                      InputError)
             << "conversion must not hide it";
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &image, &good})), InputError);
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &good, &image})), InputError);
+        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &image, &good})),
+                     InputError);
+        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &good, &image})),
+                     InputError);
     }
 }
 
@@ -98,7 +100,8 @@ TEST_P(MetricContract, CheckValuesHold) {
         const Image reference = check.make_reference();
         const MetricResult result = m_metric->evaluate({test, reference});
         ASSERT_TRUE(result.value) << check.name;
-        EXPECT_NEAR(*result.value, check.expected, check.tolerance) << check.name << ": " << check.source;
+        EXPECT_NEAR(*result.value, check.expected, check.tolerance)
+            << check.name << ": " << check.source;
     }
 }
 

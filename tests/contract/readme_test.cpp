@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 
 const fs::path kRoot = ALCOVE_SOURCE_DIR;
 
-/// The text between `<!-- parameters -->` and `<!-- /parameters -->`, without the line breaks around it.
+/// The text between `<!-- parameters -->` and `<!-- /parameters -->`, without the line breaks
+/// around it.
 std::string read_table(const fs::path& readme) {
     const std::string text = read_file(readme);
     const std::string begin = "<!-- parameters -->\n";
@@ -38,9 +39,15 @@ void check_room(const Registry<Unit>& registry, const std::string& room) {
     }
 }
 
-TEST(Readme, MethodsShowTheirParameters) { check_room(methods_registry(), "methods"); }
-TEST(Readme, MetricsShowTheirParameters) { check_room(metrics_registry(), "metrics"); }
-TEST(Readme, ScenesShowTheirParameters) { check_room(scenes_registry(), "scenes"); }
+TEST(Readme, MethodsShowTheirParameters) {
+    check_room(methods_registry(), "methods");
+}
+TEST(Readme, MetricsShowTheirParameters) {
+    check_room(metrics_registry(), "metrics");
+}
+TEST(Readme, ScenesShowTheirParameters) {
+    check_room(scenes_registry(), "scenes");
+}
 
 TEST(Readme, MethodsListTheirPresets) {
     const Registry<MethodUnit> registry = methods_registry();
@@ -56,7 +63,8 @@ TEST(Readme, MethodsListTheirPresets) {
 }
 
 TEST(Readme, EveryTopLevelFolderHasOne) {
-    for (const char* folder : {"core", "methods", "scenes", "metrics", "reports", "harness", "tests"}) {
+    for (const char* folder :
+         {"core", "methods", "scenes", "metrics", "reports", "harness", "tests"}) {
         EXPECT_TRUE(fs::exists(kRoot / folder / "README.md")) << folder;
     }
 }

@@ -31,7 +31,8 @@ TEST(Camera, PixelDirectionsAgreeWithTheProjection) {
         const glm::dmat4 clip = compute_projection(camera, size, reversed) *
                                 compute_view_from_object(camera, glm::dmat4(1.0));
         const glm::dvec2 pixel(37.5, 150.25);
-        const glm::dvec3 point = camera.position + 7.0 * compute_pixel_direction(camera, size, pixel);
+        const glm::dvec3 point =
+            camera.position + 7.0 * compute_pixel_direction(camera, size, pixel);
         const glm::dvec4 projected = clip * glm::dvec4(point, 1.0);
         EXPECT_NEAR(projected.w, 7.0, 1e-12);
         EXPECT_NEAR((projected.x / projected.w + 1.0) * 160.0, pixel.x, 1e-9);

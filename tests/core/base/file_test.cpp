@@ -6,10 +6,10 @@
 #include <fstream>
 #include <string>
 
+#include <csignal>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
-#include <csignal>
 
 namespace alcove {
 namespace {

@@ -21,14 +21,29 @@ struct Params {
 };
 
 ParameterTable make_table() {
-    return describe_parameters("unit", {
-        integer(&Params::samples, "samples").range(1, 64).log_scale().rebuild().unit("samples").meaning("a"),
-        real(&Params::radius, "radius").range(0.01, 10).unit("m").default_expression("scene_radius").meaning("b"),
-        real(&Params::reach, "reach").range(0.01, 100).unit("m").default_expression("2 * radius").meaning("c"),
-        real(&Params::cap, "cap").range(1, 1500).may_be_infinite().unit("samples").meaning("d"),
-        boolean(&Params::rotate, "rotate").rebuild().meaning("e"),
-        choice(&Params::shape, "shape", {"box", "sphere"}).meaning("f"),
-    });
+    return describe_parameters(
+        "unit",
+        {
+            integer(&Params::samples, "samples")
+                .range(1, 64)
+                .log_scale()
+                .rebuild()
+                .unit("samples")
+                .meaning("a"),
+            real(&Params::radius, "radius")
+                .range(0.01, 10)
+                .unit("m")
+                .default_expression("scene_radius")
+                .meaning("b"),
+            real(&Params::reach, "reach")
+                .range(0.01, 100)
+                .unit("m")
+                .default_expression("2 * radius")
+                .meaning("c"),
+            real(&Params::cap, "cap").range(1, 1500).may_be_infinite().unit("samples").meaning("d"),
+            boolean(&Params::rotate, "rotate").rebuild().meaning("e"),
+            choice(&Params::shape, "shape", {"box", "sphere"}).meaning("f"),
+        });
 }
 
 const ExpressionVariables kVariables{{"scene_radius", 0.25}};
@@ -74,8 +89,13 @@ TEST(Parameters, EveryKindRoundTripsAtBothEnds) {
 }
 
 TEST(Parameters, LaterProvenanceWinsWhateverTheOrderGiven) {
-    EXPECT_EQ(bind({{"samples", "8", Provenance::command_line}, {"samples", "4", Provenance::preset}}).samples, 8);
-    EXPECT_EQ(bind({{"samples", "8", Provenance::target}, {"samples", "4", Provenance::preset}}).samples, 4);
+    EXPECT_EQ(
+        bind({{"samples", "8", Provenance::command_line}, {"samples", "4", Provenance::preset}})
+            .samples,
+        8);
+    EXPECT_EQ(
+        bind({{"samples", "8", Provenance::target}, {"samples", "4", Provenance::preset}}).samples,
+        4);
 }
 
 TEST(Parameters, ProvenanceIsKept) {
@@ -117,10 +137,12 @@ TEST(Parameters, DerivedDefaultOutOfRangeIsAnError) {
 }
 
 TEST(Parameters, CirclesOfExpressionsAreErrors) {
-    const ParameterTable table = describe_parameters("unit", {
-        real(&Params::radius, "radius").range(0, 10).default_expression("reach").meaning("b"),
-        real(&Params::reach, "reach").range(0, 10).default_expression("radius").meaning("c"),
-    });
+    const ParameterTable table = describe_parameters(
+        "unit",
+        {
+            real(&Params::radius, "radius").range(0, 10).default_expression("reach").meaning("b"),
+            real(&Params::reach, "reach").range(0, 10).default_expression("radius").meaning("c"),
+        });
     EXPECT_THROW(static_cast<void>(table.resolve({}, {})), InputError);
 }
 

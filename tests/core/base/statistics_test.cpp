@@ -79,8 +79,9 @@ TEST(Statistics, DetectableEffectIsTheFartherEndOfTheInterval) {
     EXPECT_NEAR(compute_minimum_detectable_effect(aa), 0.05, 1e-12);
 }
 
-/// Share of simulated experiments whose interval holds the truth. Frames share their repeat's error (what makes the
-/// repeat the unit of inference), and both sides share a drift (what pairing takes out).
+/// Share of simulated experiments whose interval holds the truth. Frames share their repeat's error
+/// (what makes the repeat the unit of inference), and both sides share a drift (what pairing takes
+/// out).
 double simulate_coverage(std::size_t repeats, int experiments) {
     std::mt19937 random(7);
     std::normal_distribution<double> normal;
@@ -114,7 +115,8 @@ double simulate_coverage(std::size_t repeats, int experiments) {
 }
 
 TEST(Statistics, IntervalsCoverTheTruthAsOftenAsTheyClaimAtTheShippedRepeats) {
-    // 2000 experiments: the share's own standard deviation is 0.49 %, the bounds lie three of them from 95 %.
+    // 2000 experiments: the share's own standard deviation is 0.49 %, the bounds lie three of them
+    // from 95 %.
     const double coverage = simulate_coverage(kShippedRepeats, 2000);
     EXPECT_GT(coverage, 0.935);
     EXPECT_LT(coverage, 0.965);

@@ -11,8 +11,8 @@ namespace alcove {
 namespace {
 
 TEST(Text, NumbersReadBackExactly) {
-    for (const double value : {0.1, 1.0 / 3.0, 6.02214076e23, -0.0, 5e-324,
-                               std::numeric_limits<double>::infinity()}) {
+    for (const double value :
+         {0.1, 1.0 / 3.0, 6.02214076e23, -0.0, 5e-324, std::numeric_limits<double>::infinity()}) {
         EXPECT_EQ(parse_number(format_number(value), "test"), value);
     }
 }

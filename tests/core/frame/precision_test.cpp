@@ -10,8 +10,9 @@ namespace alcove {
 namespace {
 
 TEST(Precision, DescriptionReadsBack) {
-    for (const char* text : {"raster_depth=32F,eye_depth=32F", "raster_depth=24,reversed,eye_depth=raster",
-                             "raster_depth=16,eye_depth=16F"}) {
+    for (const char* text :
+         {"raster_depth=32F,eye_depth=32F", "raster_depth=24,reversed,eye_depth=raster",
+          "raster_depth=16,eye_depth=16F"}) {
         EXPECT_EQ(describe(parse_precision(text)), text);
     }
     EXPECT_EQ(describe(parse_precision("eye_depth=raster")), "raster_depth=32F,eye_depth=raster");
@@ -25,8 +26,9 @@ TEST(Precision, UnknownPartsAreErrors) {
 
 TEST(Channels, ExtraChannelsAreNamedBeyondTheBase) {
     EXPECT_EQ(name_extra_channels(kBaseChannels), "");
-    EXPECT_EQ(name_extra_channels(kBaseChannels | ChannelSet{Channel::instance_id, Channel::motion}),
-              "motion+instance_id");
+    EXPECT_EQ(
+        name_extra_channels(kBaseChannels | ChannelSet{Channel::instance_id, Channel::motion}),
+        "motion+instance_id");
 }
 
 TEST(FrameView, HistoryIsInvalidAtStartsAndCuts) {
@@ -36,8 +38,11 @@ TEST(FrameView, HistoryIsInvalidAtStartsAndCuts) {
         walkthrough.cameras[static_cast<std::size_t>(i)].position.x = i;
     }
     walkthrough.cuts = {3};
-    for (const auto& [frame, starts, valid] :
-         {std::tuple{0, false, false}, {1, false, true}, {3, false, false}, {4, false, true}, {4, true, false}}) {
+    for (const auto& [frame, starts, valid] : {std::tuple{0, false, false},
+                                               {1, false, true},
+                                               {3, false, false},
+                                               {4, false, true},
+                                               {4, true, false}}) {
         const FrameView view = make_frame_view(walkthrough, frame, {8, 8}, starts);
         EXPECT_EQ(view.history_valid, valid) << frame;
         EXPECT_EQ(view.previous_camera.position.x, valid ? frame - 1 : frame);

@@ -38,14 +38,16 @@ TEST_F(SceneRendererTest, APlaneHasItsAnalyticDepthInEveryPrecision) {
     const double tilt = 40.0 * std::numbers::pi / 180.0;
     const TestScene scene = make_plane_scene(tilt);
     const Camera& camera = scene.get_walkthrough().cameras[0];
-    for (const char* text : {"raster_depth=32F,eye_depth=32F", "raster_depth=32F,reversed,eye_depth=raster",
-                             "raster_depth=24,eye_depth=raster", "raster_depth=24,reversed,eye_depth=raster",
-                             "raster_depth=16,eye_depth=16F", "raster_depth=16,eye_depth=raster"}) {
+    for (const char* text :
+         {"raster_depth=32F,eye_depth=32F", "raster_depth=32F,reversed,eye_depth=raster",
+          "raster_depth=24,eye_depth=raster", "raster_depth=24,reversed,eye_depth=raster",
+          "raster_depth=16,eye_depth=16F", "raster_depth=16,eye_depth=raster"}) {
         const Precision precision = parse_precision(text);
         const Rendered rendered = render(scene, precision);
-        // Quantisation of the stored value: half floats are truncated here, 2^-10 relative. A step of the raster depth
-        // (2^-16 or 2^-24) is step * e^2 / n in eye depth; llvmpipe interpolates depth over this triangle of 400 m in
-        // float, which was measured to cost 12.5 steps of 24 bits.
+        // Quantisation of the stored value: half floats are truncated here, 2^-10 relative. A step
+        // of the raster depth (2^-16 or 2^-24) is step * e^2 / n in eye depth; llvmpipe
+        // interpolates depth over this triangle of 400 m in float, which was measured to cost 12.5
+        // steps of 24 bits.
         double largest = 0.0;
         for (int y = 0; y < kSize.height; ++y) {
             for (int x = 0; x < kSize.width; ++x) {
@@ -59,7 +61,8 @@ TEST_F(SceneRendererTest, APlaneHasItsAnalyticDepthInEveryPrecision) {
                     const double step = is_16 ? 0x1p-16 : 16.0 * 0x1p-24;
                     tolerance += step * expected * expected / camera.near_m;
                 }
-                largest = std::max(largest, std::abs(rendered.eye_depth.at(x, y) - expected) / tolerance);
+                largest =
+                    std::max(largest, std::abs(rendered.eye_depth.at(x, y) - expected) / tolerance);
             }
         }
         EXPECT_LT(largest, 1.0) << text;

@@ -45,7 +45,8 @@ TEST_F(ContextTest, HandlesMoveAndFree) {
         name = first.get();
         const gl::Texture second = std::move(first);
         EXPECT_EQ(second.get(), name);
-        EXPECT_FALSE(first); // NOLINT(bugprone-use-after-move): emptiness after a move is what is tested
+        EXPECT_FALSE(
+            first); // NOLINT(bugprone-use-after-move): emptiness after a move is what is tested
     }
     // A freed name is no texture any more.
     gl().BindTextureUnit(0, name);

@@ -14,7 +14,8 @@ constexpr std::array kFiles{
                                    "layout(r32f, binding = 0) uniform writeonly image2D i;\n"
                                    "void main() { imageStore(i, ivec2(0), vec4(twice(21.0))); }\n"},
     EmbeddedFile{"lib.glsl", "// a library\nfloat twice(float x) { return 2.0 * x; }\n"},
-    EmbeddedFile{"broken.comp.glsl", "layout(local_size_x = 1) in;\n\nvoid main() { undefined_name = 1; }\n"},
+    EmbeddedFile{"broken.comp.glsl",
+                 "layout(local_size_x = 1) in;\n\nvoid main() { undefined_name = 1; }\n"},
     EmbeddedFile{"broken_include.comp.glsl",
                  "layout(local_size_x = 1) in;\n#include \"bad.glsl\"\nvoid main() {}\n"},
     EmbeddedFile{"bad.glsl", "float ok;\nfloat f() { return missing; }\n"},
@@ -22,7 +23,9 @@ constexpr std::array kFiles{
                  "#include \"lib.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() { wrong(); }\n"},
 };
 
-gl::ShaderLibrary make_library() { return {std::span<const EmbeddedFile>(kFiles)}; }
+gl::ShaderLibrary make_library() {
+    return {std::span<const EmbeddedFile>(kFiles)};
+}
 
 class ProgramTest : public GlTest {
   protected:

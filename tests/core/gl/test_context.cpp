@@ -4,10 +4,16 @@ namespace alcove {
 
 std::unique_ptr<gl::Context> GlTest::s_context;
 
-void GlTest::SetUpTestSuite() { s_context = gl::open_context(gl::ContextKind::autodetect); }
+void GlTest::SetUpTestSuite() {
+    s_context = gl::open_context(gl::ContextKind::autodetect);
+}
 
-void GlTest::TearDownTestSuite() { s_context.reset(); }
+void GlTest::TearDownTestSuite() {
+    s_context.reset();
+}
 
-void GlTest::TearDown() { EXPECT_NO_THROW(s_context->check_errors()); }
+void GlTest::TearDown() {
+    EXPECT_NO_THROW(s_context->check_errors());
+}
 
 } // namespace alcove

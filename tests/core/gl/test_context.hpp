@@ -1,5 +1,6 @@
 #pragma once
-// The fixture of every test that draws: one context a process, and GL errors fail the test that made them.
+// The fixture of every test that draws: one context a process, and GL errors fail the test that
+// made them.
 
 #include "core/gl/context.hpp"
 

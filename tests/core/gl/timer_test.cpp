@@ -26,7 +26,8 @@ TEST_F(TimerTest, EveryModeGivesOneTimeAnIntervalAndStartsAnew) {
 }
 
 TEST_F(TimerTest, TheElapsedQueryIsNotBelievedHere) {
-    // Rasterisation is deferred: the query sees a small part of a draw of 20 ms (0.7 ms for 52 ms when first measured).
+    // Rasterisation is deferred: the query sees a small part of a draw of 20 ms (0.7 ms for 52 ms
+    // when first measured).
     if (context().device().renderer.find("llvmpipe") == std::string::npos) {
         GTEST_SKIP() << "a property of llvmpipe";
     }

@@ -33,9 +33,7 @@ class SimulatedBench final : public TimerBench {
         }
         return times;
     }
-    double get_tick_ns(TimerMode) override {
-        return m_lie == Lie::microsecond_tick ? 1000.0 : 1.0;
-    }
+    double get_tick_ns(TimerMode) override { return m_lie == Lie::microsecond_tick ? 1000.0 : 1.0; }
     [[nodiscard]] double cost(LoadKind kind) const {
         // Draws and dispatches do not cost the same, as on real devices.
         return kind == LoadKind::draw ? static_cast<double>(m_draw) * m_ns_per_iteration
@@ -148,7 +146,9 @@ TEST(TimerValidation, QuickSearchDropsAModeAtItsFirstFailureAndStopsAtTheFirstGo
 TEST(TimerValidation, WithoutAnAcceptedModeTheWallClockIsUsed) {
     class Hopeless final : public TimerBench {
       public:
-        void set_iterations(LoadKind, std::int64_t iterations) override { m_iterations = iterations; }
+        void set_iterations(LoadKind, std::int64_t iterations) override {
+            m_iterations = iterations;
+        }
         double run_alone(LoadKind) override { return static_cast<double>(m_iterations) * 1e4; }
         std::vector<double> run_sequence(TimerMode, std::span<const LoadKind> sequence) override {
             return std::vector<double>(sequence.size(), 1.0);
