@@ -56,7 +56,8 @@ glm::mat3 make_frame(const glm::vec3& n) {
 /// either side of the nearest quarter. Without branches, so that a loop over lanes becomes one over
 /// vectors.
 void compute_turn(float u, float& cosine, float& sine) {
-    const auto quarter = static_cast<std::int32_t>(4.0f * u + 0.5f);
+    // floor(4 u + 1/2)
+    const std::int32_t quarter = static_cast<std::int32_t>(8.0f * u + 1.0f) >> 1;
     const float a = (4.0f * u - static_cast<float>(quarter)) * (0.5f * std::numbers::pi_v<float>);
     const float b = a * a;
     const float s =
