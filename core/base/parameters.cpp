@@ -7,9 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <set>
 
 namespace alcove {
@@ -30,18 +28,6 @@ bool is_in_range(const ParameterInfo& info, double value) {
     return value >= info.minimum && value <= info.maximum;
 }
 
-double as_number(const ParameterValue& value) {
-    if (const auto* integer_value = std::get_if<std::int64_t>(&value)) {
-        return static_cast<double>(*integer_value);
-    }
-    if (const auto* boolean_value = std::get_if<bool>(&value)) {
-        return *boolean_value ? 1.0 : 0.0;
-    }
-    const auto* real_value = std::get_if<double>(&value);
-    ALCOVE_ASSERT(real_value != nullptr, "an enumeration is no number");
-    return *real_value;
-}
-
 /// Evaluates default expressions on demand, so that they may use each other in any order but not in
 /// a circle.
 class DefaultResolver {
@@ -54,7 +40,7 @@ class DefaultResolver {
         if (const auto variable = m_variables.find(name); variable != m_variables.end()) {
             return variable->second;
         }
-        return as_number(get(m_table.find(name)).value);
+        return to_number(get(m_table.find(name)).value);
     }
 
     const ResolvedParameter& get(const ParameterInfo& info) {
@@ -89,46 +75,23 @@ class DefaultResolver {
     std::set<std::string, std::less<>> m_in_progress;
 };
 
-std::string glsl_literal(const ParameterInfo& info, const ParameterValue& value) {
-    switch (info.kind) {
-    case ParameterKind::integer:
-        return std::to_string(std::get<std::int64_t>(value));
-    case ParameterKind::boolean:
-        return std::get<bool>(value) ? "true" : "false";
-    case ParameterKind::enumeration:
-        return "param_" + info.name + "_" + std::get<std::string>(value);
-    case ParameterKind::real:
-        break;
-    }
-    // By its bits: every float survives, infinity included.
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(std::get<double>(value)));
-    return "uintBitsToFloat(" + std::to_string(bits) + "u)";
-}
-
-const char* glsl_type(ParameterKind kind) {
-    switch (kind) {
-    case ParameterKind::integer:
-    case ParameterKind::enumeration:
-        return "int";
-    case ParameterKind::boolean:
-        return "bool";
-    case ParameterKind::real:
-        break;
-    }
-    return "float";
-}
-
-std::uint32_t choice_index(const ParameterInfo& info, const std::string& name) {
-    const auto found = std::find(info.choices.begin(), info.choices.end(), name);
-    ALCOVE_ASSERT(found != info.choices.end(), "a resolved enumeration holds one of its choices");
-    return static_cast<std::uint32_t>(found - info.choices.begin());
-}
-
 } // namespace
 
 std::string_view to_text(Provenance provenance) {
     constexpr std::array kNames{"default", "target", "preset", "file", "command line"};
     return kNames.at(static_cast<std::size_t>(provenance));
+}
+
+double to_number(const ParameterValue& value) {
+    if (const auto* integer_value = std::get_if<std::int64_t>(&value)) {
+        return static_cast<double>(*integer_value);
+    }
+    if (const auto* boolean_value = std::get_if<bool>(&value)) {
+        return *boolean_value ? 1.0 : 0.0;
+    }
+    const auto* real_value = std::get_if<double>(&value);
+    ALCOVE_ASSERT(real_value != nullptr, "an enumeration is no number");
+    return *real_value;
 }
 
 std::string to_text(const ParameterValue& value) {
@@ -170,7 +133,7 @@ ParameterTable::ParameterTable(std::string owner, std::vector<Entry> entries)
         const bool is_number =
             info.kind == ParameterKind::integer || info.kind == ParameterKind::real;
         if (is_number && info.default_expression.empty()) {
-            ALCOVE_ASSERT(is_in_range(info, as_number(info.default_value)), "default in range");
+            ALCOVE_ASSERT(is_in_range(info, to_number(info.default_value)), "default in range");
         }
         ALCOVE_ASSERT(is_number || info.default_expression.empty(),
                       "default expressions give numbers");
@@ -254,86 +217,6 @@ ParameterTable describe_parameters(std::string owner,
         entries.push_back(builder.entry());
     }
     return {std::move(owner), std::move(entries)};
-}
-
-std::string make_glsl_parameters(const ParameterTable& table, const ResolvedParameters& resolved) {
-    std::string constants;
-    std::string block;
-    for (const ParameterTable::Entry& entry : table.entries()) {
-        const ParameterInfo& info = entry.info;
-        for (std::size_t i = 0; i < info.choices.size(); ++i) {
-            constants += "const int param_" + info.name + "_" + info.choices[i] + " = " +
-                         std::to_string(i) + ";\n";
-        }
-        const std::string declaration = std::string(glsl_type(info.kind)) + " param_" + info.name;
-        if (info.rebuild) {
-            constants += "const " + declaration + " = " +
-                         glsl_literal(info, resolved.get(info.name)) + ";\n";
-        } else {
-            block += "    " + declaration + "; // " + info.unit + "\n";
-        }
-    }
-    if (!block.empty()) {
-        constants += "layout(std140) uniform ParameterBlock {\n" + block + "};\n";
-    }
-    return constants;
-}
-
-std::vector<std::byte> pack_parameter_block(const ParameterTable& table,
-                                            const ResolvedParameters& resolved) {
-    std::vector<std::byte> bytes;
-    for (const ParameterTable::Entry& entry : table.entries()) {
-        const ParameterInfo& info = entry.info;
-        if (info.rebuild) {
-            continue;
-        }
-        const ParameterValue& value = resolved.get(info.name);
-        std::uint32_t word = 0;
-        if (info.kind == ParameterKind::enumeration) {
-            word = choice_index(info, std::get<std::string>(value));
-        } else if (info.kind == ParameterKind::real) {
-            word = std::bit_cast<std::uint32_t>(static_cast<float>(std::get<double>(value)));
-        } else {
-            word = static_cast<std::uint32_t>(static_cast<std::int32_t>(as_number(value)));
-        }
-        const auto four = std::bit_cast<std::array<std::byte, 4>>(word);
-        bytes.insert(bytes.end(), four.begin(), four.end());
-    }
-    bytes.resize((bytes.size() + 15) / 16 * 16);
-    return bytes;
-}
-
-std::string make_markdown_table(const ParameterTable& table) {
-    std::string text = "| parameter | symbol | default | range | unit | meaning | source |\n"
-                       "| --- | --- | --- | --- | --- | --- | --- |\n";
-    for (const ParameterTable::Entry& entry : table.entries()) {
-        const ParameterInfo& info = entry.info;
-        std::string range;
-        switch (info.kind) {
-        case ParameterKind::boolean:
-            range = "true, false";
-            break;
-        case ParameterKind::enumeration:
-            for (const std::string& name : info.choices) {
-                range += (range.empty() ? "" : ", ") + name;
-            }
-            break;
-        case ParameterKind::integer:
-        case ParameterKind::real:
-            range = format_number(info.minimum) + " .. " + format_number(info.maximum) +
-                    (info.may_be_infinite ? ", inf" : "") +
-                    (info.scale == ParameterScale::log ? " (log)" : "");
-            break;
-        }
-        const std::string default_text = info.default_expression.empty()
-                                             ? to_text(info.default_value)
-                                             : "= " + info.default_expression;
-        text += "| `" + info.name + "` | " + info.symbol + " | " + default_text + " | " + range +
-                " | " + info.unit + " | " + info.meaning +
-                (info.inert_reason.empty() ? "" : " Inert: " + info.inert_reason) + " | " +
-                info.source + " |\n";
-    }
-    return text;
 }
 
 std::string get_extreme(const ParameterInfo& info, bool maximum) {

@@ -7,7 +7,6 @@
 
 #include "core/base/assert.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -81,6 +80,8 @@ class ResolvedParameters {
 };
 
 [[nodiscard]] std::string to_text(const ParameterValue& value);
+/// A switch is 0 or 1. Asserts that it is no enumeration.
+[[nodiscard]] double to_number(const ParameterValue& value);
 
 /// Names that default expressions may use beside other parameters, e.g. {"scene_radius", 0.5}.
 using ExpressionVariables = std::map<std::string, double, std::less<>>;
@@ -258,19 +259,6 @@ template <class Params, class Enum>
 
 [[nodiscard]] ParameterTable describe_parameters(std::string owner,
                                                  std::initializer_list<ParameterBuilder> builders);
-
-/// GLSL text of a set of values: a `const` for each `rebuild` parameter, one std140 block
-/// `ParameterBlock` (all members four bytes wide, in table order) for the rest, and a `const int`
-/// for every choice of an enumeration. Names get the prefix `param_`; `param_weighting_cosine` is a
-/// choice's value.
-[[nodiscard]] std::string make_glsl_parameters(const ParameterTable& table,
-                                               const ResolvedParameters& resolved);
-/// The bytes of that block, padded to 16; empty if every parameter is `rebuild`.
-[[nodiscard]] std::vector<std::byte> pack_parameter_block(const ParameterTable& table,
-                                                          const ResolvedParameters& resolved);
-
-/// The table as GitHub Markdown, as it stands between two marks in the unit's README.
-[[nodiscard]] std::string make_markdown_table(const ParameterTable& table);
 
 /// Smallest and largest value of a parameter as text, the ends of a sweep and of the contract
 /// tests.

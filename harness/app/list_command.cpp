@@ -1,4 +1,5 @@
 #include "core/base/error.hpp"
+#include "core/base/parameters_markdown.hpp"
 #include "core/base/text.hpp"
 #include "harness/app/planned.hpp"
 #include "harness/app/verbs.hpp"

@@ -1,5 +1,6 @@
 #include "methods/common/parameter_block.hpp"
 
+#include "core/base/parameters_glsl.hpp"
 namespace alcove {
 
 ParameterBlock::ParameterBlock(const gl::Functions& gl, const ParameterTable& table,

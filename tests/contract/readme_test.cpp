@@ -1,5 +1,6 @@
 // READMEs hold the tables that the code declares, word for word.
 #include "core/base/file.hpp"
+#include "core/base/parameters_markdown.hpp"
 #include "methods/registry.hpp"
 #include "metrics/registry.hpp"
 #include "scenes/registry.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/expression.hpp"
+#include "core/base/parameters_glsl.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>
