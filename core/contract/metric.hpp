@@ -1,6 +1,7 @@
 #pragma once
 // The contract of a metric: a pure function of images (and motion): a number, its direction, its
-// domain, and a map where that makes sense. No OpenGL, no files.
+// domain, and a map where that makes sense. No OpenGL, no files. Metrics over time:
+// temporal_metric.hpp.
 
 #include "core/base/domain.hpp"
 #include "core/base/image.hpp"
@@ -61,6 +62,19 @@ struct MetricCheck {
     std::string source;     ///< who published it, or the hand calculation
 };
 
+class TemporalMetric;
+
+/// The same for a metric over time: a planted sequence whose value is known.
+struct TemporalCheck {
+    std::string name;
+    /// Resets the metric, feeds the sequence and gives the value of its last frame.
+    std::function<double(TemporalMetric&)> run;
+    double expected = 0.0;
+    double tolerance = 0.0; ///< absolute
+    std::string source;
+};
+
+/// Exactly one of `create` and `create_temporal` is set, and the checks that belong to it.
 struct MetricUnit {
     std::string name;
     std::string title;
@@ -80,6 +94,9 @@ struct MetricUnit {
     ParameterTable parameters;
     std::vector<MetricCheck> checks;
     std::function<std::unique_ptr<Metric>(const ResolvedParameters&)> create;
+    std::vector<TemporalCheck> temporal_checks;
+    std::function<std::unique_ptr<TemporalMetric>(const ResolvedParameters&)> create_temporal;
+    [[nodiscard]] bool is_temporal() const { return static_cast<bool>(create_temporal); }
 };
 
 /// What every metric checks first. Throws InputError: sizes, channels, NaN (with its pixel and

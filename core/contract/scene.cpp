@@ -39,6 +39,43 @@ void check_mesh(const Mesh& mesh, std::string_view where) {
     }
 }
 
+void check_tracks(const Scene& scene, std::string_view where) {
+    std::vector<std::string_view> moved;
+    for (const ObjectTrack& track : scene.get_walkthrough().tracks) {
+        const std::string place = std::string(where) + ", track of " + track.object;
+        const auto objects = scene.get_objects();
+        const auto matches =
+            std::count_if(objects.begin(), objects.end(),
+                          [&](const Object& object) { return object.name == track.object; });
+        if (matches != 1) {
+            throw InputError(place, "names no single object", std::to_string(matches) + " objects",
+                             "one object of that name");
+        }
+        if (std::find(moved.begin(), moved.end(), track.object) != moved.end()) {
+            throw InputError(place, "the object has two tracks");
+        }
+        moved.emplace_back(track.object);
+        const bool ascending = std::adjacent_find(track.keys.begin(), track.keys.end(),
+                                                  [](const TrackKey& a, const TrackKey& b) {
+                                                      return a.frame >= b.frame;
+                                                  }) == track.keys.end();
+        if (track.keys.empty() || !ascending || !(std::abs(glm::length(track.axis) - 1.0) < 1e-6)) {
+            throw InputError(place, "needs keys that ascend and an axis of unit length");
+        }
+    }
+}
+
+void check_events(const Walkthrough& walkthrough, std::string_view where) {
+    int last = 0;
+    for (const WalkthroughEvent& event : walkthrough.events) {
+        if (event.frame < last ||
+            static_cast<std::size_t>(event.frame) >= walkthrough.cameras.size()) {
+            throw InputError(where, "event " + event.label + " does not ascend or lies outside");
+        }
+        last = event.frame;
+    }
+}
+
 } // namespace
 
 SceneSize count_size(const Scene& scene) {
@@ -101,6 +138,8 @@ void check_scene(const Scene& scene, std::string_view where) {
                            static_cast<std::size_t>(cuts.back()) >= walkthrough.cameras.size()))) {
         throw InputError(where, "cuts of the walkthrough are not ascending frames of it");
     }
+    check_tracks(scene, where);
+    check_events(walkthrough, where);
     if (!(scene.get_ao_radius_m() > 0.0) || !std::isfinite(scene.get_ao_radius_m())) {
         throw InputError(where, "AO radius is not a positive number of metres");
     }

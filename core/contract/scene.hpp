@@ -52,12 +52,36 @@ struct Lights {
     glm::vec3 ambient{0.5f}; ///< radiance of the uniform surroundings; linear Rec. 709
 };
 
+/// Where an object stands on one frame of its track, against its place at rest.
+struct TrackKey {
+    int frame = 0;
+    glm::dvec3 translation{0.0}; ///< metres, world axes
+    double degrees = 0.0;        ///< about the track's axis; more than a turn is allowed
+};
+
+/// The rigid motion of one object over a walkthrough: turned about `pivot`, then moved. Before its
+/// first key and after its last one the object rests there.
+struct ObjectTrack {
+    std::string object;             ///< an Object's name
+    glm::dvec3 pivot{0.0};          ///< metres, relative to the scene's origin
+    glm::dvec3 axis{0.0, 1.0, 0.0}; ///< unit, world axes
+    std::vector<TrackKey> keys;     ///< ascending in frame, at least one
+};
+
+/// Something that happens at a frame and that reports mark: "box lifts".
+struct WalkthroughEvent {
+    int frame = 0;
+    std::string label;
+};
+
 /// The recorded camera path that is replayed, one camera a frame.
 struct Walkthrough {
     std::string name = "default";
     double step_s = 1.0 / 30.0;  ///< fixed time step
     std::vector<Camera> cameras; ///< one a frame, at least one
     std::vector<int> cuts; ///< frames whose history is invalid, ascending; frame 0 always is one
+    std::vector<ObjectTrack> tracks;
+    std::vector<WalkthroughEvent> events; ///< ascending in frame
 };
 
 /// An opened scene. Everything but the pose is constant over its life.
@@ -113,8 +137,8 @@ struct SceneSize {
 [[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s);
 
 /// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite,
-/// normals are unit within 1e-3, the walkthrough has a frame and valid cameras, and cuts are
-/// ascending and in range.
+/// normals are unit within 1e-3, the walkthrough has a frame and valid cameras, cuts and events are
+/// ascending and in range, and every track names an object once.
 void check_scene(const Scene& scene, std::string_view where);
 
 } // namespace alcove

@@ -67,7 +67,7 @@ RoundRunner::RoundRunner(gl::Context& context, gl::TimerMode timer_mode, const U
         }
     }
     for (const MetricUnit& unit : units.metrics.units()) {
-        if (unit.reported) {
+        if (unit.reported && !unit.is_temporal()) {
             m_metrics.emplace_back(&unit, unit.create(unit.parameters.resolve({}, {})));
         }
     }

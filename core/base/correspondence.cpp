@@ -1,0 +1,118 @@
+#include "core/base/correspondence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace alcove {
+namespace {
+
+/// The four pixels around a position and their weights.
+struct BilinearTaps {
+    int x0;
+    int x1;
+    int y0;
+    int y1;
+    float fx;
+    float fy;
+};
+
+BilinearTaps find_taps(float x, float y, ImageSize size) {
+    const float left = std::clamp(x - 0.5f, 0.0f, static_cast<float>(size.width - 1));
+    const float top = std::clamp(y - 0.5f, 0.0f, static_cast<float>(size.height - 1));
+    const int x0 = static_cast<int>(left);
+    const int y0 = static_cast<int>(top);
+    return {x0,
+            std::min(x0 + 1, size.width - 1),
+            y0,
+            std::min(y0 + 1, size.height - 1),
+            left - static_cast<float>(x0),
+            top - static_cast<float>(y0)};
+}
+
+float sample(const Image& image, const BilinearTaps& taps, int channel) {
+    const float upper = image.at(taps.x0, taps.y0, channel) * (1.0f - taps.fx) +
+                        image.at(taps.x1, taps.y0, channel) * taps.fx;
+    const float lower = image.at(taps.x0, taps.y1, channel) * (1.0f - taps.fx) +
+                        image.at(taps.x1, taps.y1, channel) * taps.fx;
+    return upper * (1.0f - taps.fy) + lower * taps.fy;
+}
+
+/// The position of the pixel itself.
+float get_centre(int x, int y, int channel) {
+    return 0.5f + static_cast<float>(channel == 0 ? x : y);
+}
+
+/// `position` of a correspondence interpolated as a displacement, so that clamping at the border
+/// does not bend it.
+float sample_displacement(const Image& position, const BilinearTaps& taps, int channel) {
+    const auto at = [&](int x, int y) {
+        return position.at(x, y, channel) - get_centre(x, y, channel);
+    };
+    const float upper = at(taps.x0, taps.y0) * (1.0f - taps.fx) + at(taps.x1, taps.y0) * taps.fx;
+    const float lower = at(taps.x0, taps.y1) * (1.0f - taps.fx) + at(taps.x1, taps.y1) * taps.fx;
+    return upper * (1.0f - taps.fy) + lower * taps.fy;
+}
+
+} // namespace
+
+Correspondence make_identity_correspondence(ImageSize size) {
+    Correspondence identity{Image(size, 2), Image(size, 1, 1.0f)};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            identity.position.at(x, y, 0) = get_centre(x, y, 0);
+            identity.position.at(x, y, 1) = get_centre(x, y, 1);
+        }
+    }
+    return identity;
+}
+
+Image warp_image(const Image& earlier, const Correspondence& correspondence) {
+    ALCOVE_ASSERT(earlier.size() == correspondence.valid.size(), "images of one size");
+    Image warped(earlier.size(), earlier.channels());
+    for (int y = 0; y < warped.height(); ++y) {
+        for (int x = 0; x < warped.width(); ++x) {
+            if (correspondence.valid.at(x, y) == 0.0f) {
+                continue;
+            }
+            const BilinearTaps taps =
+                find_taps(correspondence.position.at(x, y, 0), correspondence.position.at(x, y, 1),
+                          earlier.size());
+            for (int c = 0; c < warped.channels(); ++c) {
+                warped.at(x, y, c) = sample(earlier, taps, c);
+            }
+        }
+    }
+    return warped;
+}
+
+Correspondence compose_correspondences(const Correspondence& now_to_middle,
+                                       const Correspondence& middle_to_earlier) {
+    const ImageSize size = now_to_middle.valid.size();
+    ALCOVE_ASSERT(size == middle_to_earlier.valid.size(), "images of one size");
+    Correspondence composed{Image(size, 2), Image(size, 1)};
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            if (now_to_middle.valid.at(x, y) == 0.0f) {
+                continue;
+            }
+            const float middle_x = now_to_middle.position.at(x, y, 0);
+            const float middle_y = now_to_middle.position.at(x, y, 1);
+            const int nearest_x =
+                std::clamp(static_cast<int>(std::floor(middle_x)), 0, size.width - 1);
+            const int nearest_y =
+                std::clamp(static_cast<int>(std::floor(middle_y)), 0, size.height - 1);
+            if (middle_to_earlier.valid.at(nearest_x, nearest_y) == 0.0f) {
+                continue;
+            }
+            const BilinearTaps taps = find_taps(middle_x, middle_y, size);
+            composed.valid.at(x, y) = 1.0f;
+            composed.position.at(x, y, 0) =
+                middle_x + sample_displacement(middle_to_earlier.position, taps, 0);
+            composed.position.at(x, y, 1) =
+                middle_y + sample_displacement(middle_to_earlier.position, taps, 1);
+        }
+    }
+    return composed;
+}
+
+} // namespace alcove

@@ -1,0 +1,31 @@
+#pragma once
+// Where the surface point that a pixel shows was seen in an earlier image: what temporal metrics
+// compare along.
+
+#include "core/base/image.hpp"
+
+namespace alcove {
+
+/// From each pixel of an image to a place in an earlier image of the same size.
+struct Correspondence {
+    /// Two channels: x and y in pixels of the earlier image, y down, the first pixel's centre at
+    /// (0.5, 0.5). Without meaning where not valid.
+    Image position;
+    /// One channel: 1 where the same surface point was visible then, else 0.
+    Image valid;
+};
+
+/// Every pixel stays where it is and is valid.
+[[nodiscard]] Correspondence make_identity_correspondence(ImageSize size);
+
+/// The earlier image as seen from now: bilinear between the four pixels around each position,
+/// clamped at the border; 0 where not valid. Asserts equal sizes.
+[[nodiscard]] Image warp_image(const Image& earlier, const Correspondence& correspondence);
+
+/// From now over the middle image to an earlier one: `now_to_middle` first, then
+/// `middle_to_earlier`, whose displacement is interpolated bilinearly and whose validity is that of
+/// the nearest pixel. Asserts equal sizes.
+[[nodiscard]] Correspondence compose_correspondences(const Correspondence& now_to_middle,
+                                                     const Correspondence& middle_to_earlier);
+
+} // namespace alcove
