@@ -6,7 +6,7 @@
 #include "scenes/common/mesh_builder.hpp"
 #include "scenes/common/node_modules.hpp"
 #include "scenes/common/solids.hpp"
-#include "scenes/common/static_scene.hpp"
+#include "scenes/common/rigid_scene.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <algorithm>
@@ -57,7 +57,7 @@ std::unique_ptr<Scene> open_bunny(const ResolvedParameters& /*parameters*/) {
     }
     const BunnyData data =
         parse_bunny_package(read_file(*path, std::uintmax_t{1} << 24), path->string());
-    StaticSceneContent content;
+    RigidSceneContent content;
     content.meshes.push_back(make_bunny(data));
     MeshBuilder floor;
     add_box(floor, {-2.5, -0.25, -2.5}, {2.5, 0.0, 2.5});
@@ -69,7 +69,7 @@ std::unique_ptr<Scene> open_bunny(const ResolvedParameters& /*parameters*/) {
     content.lights.ambient = glm::vec3(0.45f, 0.48f, 0.52f);
     content.walkthrough = get_embedded_walkthrough("scenes/bunny/walkthrough.json");
     content.ao_radius_m = 0.2;
-    return std::make_unique<StaticScene>(std::move(content));
+    return std::make_unique<RigidScene>(std::move(content));
 }
 
 } // namespace

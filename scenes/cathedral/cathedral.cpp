@@ -45,7 +45,7 @@ std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
     cathedral::add_apse(kit);
     cathedral::add_choir(kit);
     cathedral::add_furniture(kit);
-    StaticSceneContent content = kit.take();
+    RigidSceneContent content = kit.take();
     // Light as from the clerestory; it casts no shadow (DirectionalLight), so that it reaches the
     // room at all.
     content.lights.directional.push_back(
@@ -53,7 +53,7 @@ std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
     content.lights.ambient = glm::vec3(0.34f, 0.36f, 0.4f);
     content.walkthrough = get_embedded_walkthrough("scenes/cathedral/walkthrough.json");
     content.ao_radius_m = 0.5;
-    return std::make_unique<StaticScene>(std::move(content));
+    return std::make_unique<RigidScene>(std::move(content));
 }
 
 } // namespace

@@ -69,7 +69,7 @@ void Kit::place(std::size_t mesh, const glm::dvec3& position, int quarter_turns)
     m_content.transforms.push_back(transform);
 }
 
-StaticSceneContent Kit::take() {
+RigidSceneContent Kit::take() {
     return std::move(m_content);
 }
 

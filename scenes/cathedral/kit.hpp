@@ -3,7 +3,7 @@
 // growing scene.
 
 #include "scenes/common/polygon.hpp"
-#include "scenes/common/static_scene.hpp"
+#include "scenes/common/rigid_scene.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -65,13 +65,13 @@ class Kit {
     void place(std::size_t mesh) { place(mesh, glm::dvec3(0.0)); }
 
     /// Meshes, objects and transforms; lights and walkthrough are left to the scene.
-    [[nodiscard]] StaticSceneContent take();
+    [[nodiscard]] RigidSceneContent take();
 
   private:
     double m_scale;
     bool m_has_ornament;
     std::uint64_t m_random;
-    StaticSceneContent m_content;
+    RigidSceneContent m_content;
 };
 
 /// Axis-aligned box as a mesh.

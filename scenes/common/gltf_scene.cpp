@@ -4,7 +4,7 @@
 #include "core/base/text.hpp"
 #include "scenes/common/gltf_document.hpp"
 #include "scenes/common/gltf_mesh.hpp"
-#include "scenes/common/static_scene.hpp"
+#include "scenes/common/rigid_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -107,7 +107,7 @@ class SceneReader {
         }
     }
 
-    [[nodiscard]] StaticSceneContent& content() { return m_content; }
+    [[nodiscard]] RigidSceneContent& content() { return m_content; }
     [[nodiscard]] const Bounds& bounds() const { return m_bounds; }
     /// Cameras of the file with their far plane, if it tells one.
     [[nodiscard]] const std::vector<std::pair<int, glm::dmat4>>& cameras() const {
@@ -250,7 +250,7 @@ class SceneReader {
     std::vector<bool> m_visited;
     std::map<std::tuple<int, int, bool>, std::size_t> m_meshes;
     std::vector<Bounds> m_mesh_bounds;
-    StaticSceneContent m_content;
+    RigidSceneContent m_content;
     Bounds m_bounds;
     std::size_t m_vertices = 0;
     std::vector<std::pair<int, glm::dmat4>> m_cameras;
@@ -343,7 +343,7 @@ std::unique_ptr<Scene> open_gltf_scene(const std::filesystem::path& path,
         throw InputError(document.file, "all vertices lie in one point");
     }
 
-    StaticSceneContent& content = reader.content();
+    RigidSceneContent& content = reader.content();
     content.ao_radius_m = options.ao_radius_m.value_or(0.05 * diagonal_m);
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(0.4, 1.0, 0.6)), glm::vec3(1.0f)});
@@ -374,7 +374,7 @@ std::unique_ptr<Scene> open_gltf_scene(const std::filesystem::path& path,
     if (warnings != nullptr) {
         warnings->insert(warnings->end(), notes.begin(), notes.end());
     }
-    return std::make_unique<StaticScene>(std::move(content));
+    return std::make_unique<RigidScene>(std::move(content));
 }
 
 } // namespace alcove

@@ -54,22 +54,29 @@ nlohmann::json parse_strict_json(std::string_view text, std::string_view file) {
     }
 }
 
-void JsonPlace::check_keys(std::initializer_list<std::string_view> keys) const {
+void JsonPlace::check_keys(std::initializer_list<std::string_view> keys,
+                           std::initializer_list<std::string_view> optional) const {
     if (!m_value.is_object()) {
         fail("wrong type", "an object");
     }
+    std::vector<std::string_view> allowed(keys);
+    allowed.insert(allowed.end(), optional);
     std::string expected;
-    for (const std::string_view key : keys) {
+    for (const std::string_view key : allowed) {
         expected += (expected.empty() ? "" : ", ") + std::string(key);
     }
     for (const auto& item : m_value.items()) {
-        if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
+        if (std::find(allowed.begin(), allowed.end(), item.key()) == allowed.end()) {
             throw InputError(where(), "unknown key", item.key(), "one of " + expected);
         }
     }
     for (const std::string_view key : keys) {
         static_cast<void>(get(key));
     }
+}
+
+bool JsonPlace::has(std::string_view key) const {
+    return m_value.is_object() && m_value.contains(std::string(key));
 }
 
 JsonPlace JsonPlace::get(std::string_view key) const {

@@ -25,8 +25,12 @@ class JsonPlace {
     JsonPlace(const nlohmann::json& value, std::string file)
         : m_value(value), m_file(std::move(file)) {}
 
-    /// Throws InputError unless it is an object with exactly these keys.
-    void check_keys(std::initializer_list<std::string_view> keys) const;
+    /// Throws InputError unless it is an object with these keys, some of the optional ones and no
+    /// others.
+    void check_keys(std::initializer_list<std::string_view> keys,
+                    std::initializer_list<std::string_view> optional = {}) const;
+    /// True for an object with such a member.
+    [[nodiscard]] bool has(std::string_view key) const;
     /// Throws InputError if it has no such member.
     [[nodiscard]] JsonPlace get(std::string_view key) const;
     /// Number of elements. Throws InputError unless it is an array.

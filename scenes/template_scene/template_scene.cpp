@@ -2,7 +2,7 @@
 
 #include "scenes/common/mesh_builder.hpp"
 #include "scenes/common/solids.hpp"
-#include "scenes/common/static_scene.hpp"
+#include "scenes/common/rigid_scene.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <memory>
@@ -21,7 +21,7 @@ Mesh make_box(const char* name, const glm::vec3& albedo, const glm::dvec3& low,
 }
 
 std::unique_ptr<Scene> open_template_scene(const ResolvedParameters& /*parameters*/) {
-    StaticSceneContent content;
+    RigidSceneContent content;
     content.meshes.push_back(
         make_box("floor", glm::vec3(0.6f), {-4.0, -0.25, -4.0}, {4.0, 0.0, 4.0}));
     // Sunk into the floor: two faces in one plane would fight for the pixel.
@@ -34,7 +34,7 @@ std::unique_ptr<Scene> open_template_scene(const ResolvedParameters& /*parameter
     content.lights.ambient = glm::vec3(0.5f);
     content.walkthrough = get_embedded_walkthrough("scenes/template_scene/walkthrough.json");
     content.ao_radius_m = 0.5;
-    return std::make_unique<StaticScene>(std::move(content));
+    return std::make_unique<RigidScene>(std::move(content));
 }
 
 } // namespace
