@@ -5,8 +5,8 @@
 #include "scenes/bunny/bunny_package.hpp"
 #include "scenes/common/mesh_builder.hpp"
 #include "scenes/common/node_modules.hpp"
-#include "scenes/common/solids.hpp"
 #include "scenes/common/rigid_scene.hpp"
+#include "scenes/common/solids.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <algorithm>
@@ -50,7 +50,33 @@ std::optional<std::string> find_bunny_obstacle() {
            "folder that has it";
 }
 
-std::unique_ptr<Scene> open_bunny(const ResolvedParameters& /*parameters*/) {
+struct BunnyParameters {
+    double turn = 0.0;
+};
+
+ParameterTable make_table() {
+    return describe_parameters(
+        "bunny", {real(&BunnyParameters::turn, "turn")
+                      .range(0.0, 20.0)
+                      .unit("degrees a frame")
+                      .meaning("above 0 the camera stands still and the bunny turns about its "
+                               "vertical axis at this speed")
+                      .source("ours")});
+}
+
+/// The file's track turns by a degree a frame.
+Walkthrough make_turning_walkthrough(double degrees_a_frame) {
+    Walkthrough walkthrough = get_embedded_walkthrough("scenes/bunny/walkthrough_turning.json");
+    for (ObjectTrack& track : walkthrough.tracks) {
+        for (TrackKey& key : track.keys) {
+            key.degrees *= degrees_a_frame;
+        }
+    }
+    return walkthrough;
+}
+
+std::unique_ptr<Scene> open_bunny(const ResolvedParameters& resolved) {
+    const auto parameters = make_table().bind<BunnyParameters>(resolved);
     const auto path = find_package_file("bunny", "index.js");
     if (!path) {
         throw InputError("bunny", find_bunny_obstacle().value());
@@ -59,15 +85,16 @@ std::unique_ptr<Scene> open_bunny(const ResolvedParameters& /*parameters*/) {
         parse_bunny_package(read_file(*path, std::uintmax_t{1} << 24), path->string());
     RigidSceneContent content;
     content.meshes.push_back(make_bunny(data));
-    MeshBuilder floor;
-    add_box(floor, {-2.5, -0.25, -2.5}, {2.5, 0.0, 2.5});
-    content.meshes.push_back(floor.finish("floor", glm::vec3(0.55f), 30.0));
+    content.meshes.push_back(
+        make_box_mesh("floor", glm::vec3(0.55f), {-2.5, -0.25, -2.5}, {2.5, 0.0, 2.5}));
     content.objects = {{"bunny", 0}, {"floor", 1}};
     content.transforms.assign(content.objects.size(), glm::dmat4(1.0));
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(0.4, 1.0, 0.6)), glm::vec3(1.1f, 1.05f, 1.0f)});
     content.lights.ambient = glm::vec3(0.45f, 0.48f, 0.52f);
-    content.walkthrough = get_embedded_walkthrough("scenes/bunny/walkthrough.json");
+    content.walkthrough = parameters.turn > 0.0
+                              ? make_turning_walkthrough(parameters.turn)
+                              : get_embedded_walkthrough("scenes/bunny/walkthrough.json");
     content.ao_radius_m = 0.2;
     return std::make_unique<RigidScene>(std::move(content));
 }
@@ -82,7 +109,7 @@ SceneUnit bunny_unit() {
                     "floor, shading normals on coarse triangles";
     unit.license = "unstated, Stanford University Computer Graphics Laboratory (the npm package "
                    "says public domain)";
-    unit.parameters = ParameterTable("bunny", {});
+    unit.parameters = make_table();
     unit.find_obstacle = find_bunny_obstacle;
     unit.open = open_bunny;
     return unit;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -52,6 +53,13 @@ void add_box(MeshBuilder& builder, const glm::dvec3& low, const glm::dvec3& high
         point.y = high.y;
     }
     add_loft(builder, {bottom, top}, LoftEnds::capped);
+}
+
+Mesh make_box_mesh(std::string name, const glm::vec3& albedo, const glm::dvec3& low,
+                   const glm::dvec3& high) {
+    MeshBuilder builder;
+    add_box(builder, low, high);
+    return builder.finish(std::move(name), albedo, 0.0);
 }
 
 void add_loft(MeshBuilder& builder, const std::vector<Ring>& rings, LoftEnds ends) {

@@ -7,6 +7,7 @@
 #include "scenes/common/polygon.hpp"
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -15,6 +16,10 @@ namespace alcove {
 
 /// Axis-aligned box. Asserts low < high.
 void add_box(MeshBuilder& builder, const glm::dvec3& low, const glm::dvec3& high);
+
+/// The same as a mesh of flat faces.
+[[nodiscard]] Mesh make_box_mesh(std::string name, const glm::vec3& albedo, const glm::dvec3& low,
+                                 const glm::dvec3& high);
 
 using Ring = std::vector<glm::dvec3>;
 enum class LoftEnds {

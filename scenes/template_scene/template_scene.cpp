@@ -1,8 +1,7 @@
 #include "scenes/template_scene/template_scene.hpp"
 
-#include "scenes/common/mesh_builder.hpp"
-#include "scenes/common/solids.hpp"
 #include "scenes/common/rigid_scene.hpp"
+#include "scenes/common/solids.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <memory>
@@ -13,20 +12,13 @@
 namespace alcove {
 namespace {
 
-Mesh make_box(const char* name, const glm::vec3& albedo, const glm::dvec3& low,
-              const glm::dvec3& high) {
-    MeshBuilder builder;
-    add_box(builder, low, high);
-    return builder.finish(name, albedo, 30.0);
-}
-
 std::unique_ptr<Scene> open_template_scene(const ResolvedParameters& /*parameters*/) {
     RigidSceneContent content;
     content.meshes.push_back(
-        make_box("floor", glm::vec3(0.6f), {-4.0, -0.25, -4.0}, {4.0, 0.0, 4.0}));
+        make_box_mesh("floor", glm::vec3(0.6f), {-4.0, -0.25, -4.0}, {4.0, 0.0, 4.0}));
     // Sunk into the floor: two faces in one plane would fight for the pixel.
     content.meshes.push_back(
-        make_box("box", {0.7f, 0.5f, 0.3f}, {-0.5, -0.05, -0.5}, {0.5, 1.0, 0.5}));
+        make_box_mesh("box", {0.7f, 0.5f, 0.3f}, {-0.5, -0.05, -0.5}, {0.5, 1.0, 0.5}));
     content.objects = {{"floor", 0}, {"box", 1}};
     content.transforms.assign(content.objects.size(), glm::dmat4(1.0));
     content.lights.directional.push_back(

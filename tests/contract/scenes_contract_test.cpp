@@ -43,14 +43,66 @@ TEST_P(SceneContract, OpenedTwiceItIsTheSameBitForBit) {
     EXPECT_EQ(m_scene->get_walkthrough().cameras.size(), again->get_walkthrough().cameras.size());
 }
 
-TEST_P(SceneContract, FrameZeroIsACutAndTheWalkthroughMoves) {
-    const Walkthrough& walkthrough = m_scene->get_walkthrough();
-    ASSERT_FALSE(walkthrough.cuts.empty());
-    EXPECT_EQ(walkthrough.cuts.front(), 0);
-    EXPECT_FALSE(walkthrough.name.empty());
-    if (GetParam().reported) {
-        EXPECT_GE(walkthrough.cameras.size(), 120u);
-        EXPECT_NE(walkthrough.cameras.front().position, walkthrough.cameras[60].position);
+/// True if the camera or an object is not where it was on frame 0.
+bool has_moved(const Scene& scene, std::size_t frame) {
+    const Walkthrough& walkthrough = scene.get_walkthrough();
+    const Camera& camera = walkthrough.cameras[frame];
+    const Camera& first = walkthrough.cameras.front();
+    return camera.position != first.position || camera.world_from_view != first.world_from_view ||
+           camera.fov_y_radians != first.fov_y_radians ||
+           scene.compute_pose(static_cast<double>(frame) * walkthrough.step_s).object_to_world !=
+               scene.compute_pose(0.0).object_to_world;
+}
+
+/// A scene is opened with all its choices, one at a time beside the defaults.
+std::vector<std::vector<ParameterOverride>> list_variants(const SceneUnit& unit) {
+    std::vector<std::vector<ParameterOverride>> variants{{}};
+    for (const ParameterTable::Entry& entry : unit.parameters.entries()) {
+        for (const std::string& choice : entry.info.choices) {
+            variants.push_back({{entry.info.name, choice}});
+        }
+    }
+    return variants;
+}
+
+TEST_P(SceneContract, FrameZeroIsACutAndSomethingMoves) {
+    for (const auto& overrides : list_variants(GetParam())) {
+        const auto scene = GetParam().open(GetParam().parameters.resolve(overrides, {}));
+        const std::string variant = overrides.empty() ? "default" : overrides[0].value;
+        EXPECT_NO_THROW(check_scene(*scene, GetParam().name)) << variant;
+        const Walkthrough& walkthrough = scene->get_walkthrough();
+        ASSERT_FALSE(walkthrough.cuts.empty()) << variant;
+        EXPECT_EQ(walkthrough.cuts.front(), 0) << variant;
+        EXPECT_FALSE(walkthrough.name.empty()) << variant;
+        if (GetParam().reported) {
+            const std::size_t frames = walkthrough.cameras.size();
+            EXPECT_GE(frames, 120u) << variant;
+            bool moves = false;
+            for (std::size_t frame = 1; frame < frames && !moves; ++frame) {
+                moves = has_moved(*scene, frame);
+            }
+            EXPECT_TRUE(moves) << variant;
+        }
+    }
+}
+
+TEST_P(SceneContract, StateComesFromTheTimeAlone) {
+    for (const auto& overrides : list_variants(GetParam())) {
+        const auto scene = GetParam().open(GetParam().parameters.resolve(overrides, {}));
+        const double step_s = scene->get_walkthrough().step_s;
+        const auto frames = static_cast<int>(scene->get_walkthrough().cameras.size());
+        std::vector<Pose> forward;
+        bool differs = false;
+        for (int frame = 0; frame < frames; ++frame) {
+            forward.push_back(scene->compute_pose(frame * step_s));
+            differs = differs || forward.back().object_to_world != forward[0].object_to_world;
+        }
+        for (int frame = frames - 1; frame >= 0; --frame) {
+            EXPECT_EQ(scene->compute_pose(frame * step_s).object_to_world,
+                      forward[static_cast<std::size_t>(frame)].object_to_world)
+                << frame;
+        }
+        EXPECT_EQ(scene->is_static(), !differs);
     }
 }
 

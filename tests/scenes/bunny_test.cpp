@@ -2,12 +2,13 @@
 
 #include "core/base/error.hpp"
 #include "scenes/bunny/bunny_package.hpp"
+#include "tests/scenes/solid_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
-#include <utility>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -38,22 +39,40 @@ TEST_F(BunnyScene, IsTheWholeScan) {
 }
 
 TEST_F(BunnyScene, IsClosedAndTurnedOutward) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    double volume = 0.0;
-    for (std::size_t i = 0; i < m_bunny->indices.size(); i += 3) {
-        glm::dvec3 corner[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::uint32_t a = m_bunny->indices[i + k];
-            ++edges[{a, m_bunny->indices[i + (k + 1) % 3]}];
-            corner[k] = m_bunny->positions[a];
-        }
-        volume += glm::dot(corner[0], glm::cross(corner[1], corner[2])) / 6.0;
+    const SolidCheck check = check_solid(*m_bunny);
+    EXPECT_EQ(check.open_edges, 0u);
+    EXPECT_NEAR(check.volume, 0.194, 0.002); // 194.3 cubic units of 0.1 m
+}
+
+TEST_F(BunnyScene, RestsUnlessItIsToldToTurn) {
+    EXPECT_TRUE(m_scene->is_static());
+    EXPECT_EQ(m_scene->get_walkthrough().name, "default");
+    EXPECT_TRUE(m_scene->get_walkthrough().tracks.empty());
+}
+
+TEST_F(BunnyScene, TurnsByItsParameterFromFrame10ToFrame90) {
+    const SceneUnit unit = bunny_unit();
+    const std::vector<ParameterOverride> overrides{{"turn", "4.5"}};
+    const std::unique_ptr<Scene> scene = unit.open(unit.parameters.resolve(overrides, {}));
+    EXPECT_NO_THROW(check_scene(*scene, "bunny"));
+    EXPECT_FALSE(scene->is_static());
+    const Walkthrough& walkthrough = scene->get_walkthrough();
+    ASSERT_EQ(walkthrough.cameras.size(), 120u);
+    for (int frame = 0; frame < 120; ++frame) {
+        const Pose pose = scene->compute_pose(frame * walkthrough.step_s);
+        const double angle = std::clamp(frame - 10, 0, 80) * 4.5 * std::numbers::pi / 180.0;
+        // Turned about +y: the object's x axis goes towards -z.
+        const glm::dmat4& bunny = pose.object_to_world[0];
+        EXPECT_NEAR(bunny[0].x, std::cos(angle), 1e-12) << frame;
+        EXPECT_NEAR(bunny[0].z, -std::sin(angle), 1e-12) << frame;
+        EXPECT_EQ(bunny[3], glm::dvec4(0.0, 0.0, 0.0, 1.0)) << frame;
+        EXPECT_EQ(pose.object_to_world[1], glm::dmat4(1.0)) << frame;
+        EXPECT_EQ(walkthrough.cameras[static_cast<std::size_t>(frame)].position,
+                  walkthrough.cameras[0].position);
     }
-    for (const auto& [edge, count] : edges) {
-        EXPECT_EQ(count, 1);
-        EXPECT_EQ(edges.count({edge.second, edge.first}), 1u);
-    }
-    EXPECT_NEAR(volume, 0.194, 0.002); // 194.3 cubic units of 0.1 m
+    ASSERT_EQ(walkthrough.events.size(), 2u);
+    EXPECT_EQ(walkthrough.events[0].frame, 10);
+    EXPECT_EQ(walkthrough.events[1].frame, 90);
 }
 
 TEST_F(BunnyScene, StandsOnTheFloorAndIsAboutAMetreHigh) {

@@ -1,6 +1,7 @@
 #include "scenes/cathedral/cathedral.hpp"
 
 #include "core/base/error.hpp"
+#include "tests/scenes/solid_check.hpp"
 
 #include <algorithm>
 #include <array>
@@ -118,29 +119,9 @@ TEST_P(CathedralDetail, EveryMeshIsOneWatertightSolidTurnedOutward) {
     const std::unique_ptr<Scene> scene = open(GetParam());
     check_scene(*scene, "cathedral");
     for (const Mesh& mesh : scene->get_meshes()) {
-        std::map<std::tuple<float, float, float>, std::uint32_t> welded;
-        std::vector<std::uint32_t> weld;
-        for (const glm::vec3& p : mesh.positions) {
-            const auto next = static_cast<std::uint32_t>(welded.size());
-            weld.push_back(welded.try_emplace({p.x, p.y, p.z}, next).first->second);
-        }
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-        double volume = 0.0;
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            std::array<glm::dvec3, 3> t;
-            for (std::size_t k = 0; k < 3; ++k) {
-                t[k] = glm::dvec3(mesh.positions[mesh.indices[i + k]]);
-                ++edges[{weld[mesh.indices[i + k]], weld[mesh.indices[i + (k + 1) % 3]]}];
-            }
-            volume += glm::dot(t[0], glm::cross(t[1], t[2])) / 6.0;
-        }
-        std::size_t open_edges = 0;
-        for (const auto& [edge, count] : edges) {
-            const auto back = edges.find({edge.second, edge.first});
-            open_edges += count != 1 || back == edges.end() || back->second != 1 ? 1u : 0u;
-        }
-        EXPECT_EQ(open_edges, 0u) << mesh.name;
-        EXPECT_GT(volume, 1e-6) << mesh.name;
+        const SolidCheck check = check_solid(mesh);
+        EXPECT_EQ(check.open_edges, 0u) << mesh.name;
+        EXPECT_GT(check.volume, 1e-6) << mesh.name;
     }
 }
 
