@@ -4,13 +4,15 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace alcove {
 
 TestScene::TestScene(std::vector<Mesh> meshes, std::vector<glm::dmat4> transforms,
-                     std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin)
-    : m_meshes(std::move(meshes)), m_transforms(std::move(transforms)), m_ao_radius_m(ao_radius_m),
-      m_origin(origin) {
+                     std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin,
+                     std::vector<ObjectStep> steps)
+    : m_meshes(std::move(meshes)), m_transforms(std::move(transforms)), m_steps(std::move(steps)),
+      m_ao_radius_m(ao_radius_m), m_origin(origin) {
     for (std::size_t i = 0; i < m_meshes.size(); ++i) {
         m_objects.push_back({m_meshes[i].name, i});
         m_transforms[i][3] += glm::dvec4(origin, 0.0);
@@ -23,8 +25,15 @@ TestScene::TestScene(std::vector<Mesh> meshes, std::vector<glm::dmat4> transform
     m_lights.directional = {{glm::normalize(glm::dvec3(0.3, 1.0, 0.4)), glm::vec3(1.5f)}};
 }
 
-Pose TestScene::compute_pose(double /*time_s*/) const {
-    return {m_transforms};
+Pose TestScene::compute_pose(double time_s) const {
+    Pose pose{m_transforms};
+    const double frames = std::round(time_s / m_walkthrough.step_s);
+    for (const ObjectStep& step : m_steps) {
+        glm::dmat4& transform = pose.object_to_world.at(step.object);
+        transform = glm::rotate(transform, frames * step.turn_radians, glm::dvec3(0.0, 1.0, 0.0));
+        transform[3] += glm::dvec4(frames * step.translation, 0.0);
+    }
+    return pose;
 }
 
 Mesh make_quad(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
@@ -135,11 +144,14 @@ TestScene make_box_scene(const glm::dvec3& origin) {
                                    std::numbers::pi / 3.0, 0.1, 100.0);
     };
     std::vector<glm::dmat4> transforms(meshes.size(), glm::dmat4(1.0));
+    constexpr std::size_t kLowBox = 2;
+    // Clear of the floor within the frame, by less than the radius.
     return {std::move(meshes),
             std::move(transforms),
             {camera({1.5, 1.6, 3.6}), camera({1.6, 1.6, 3.55})},
             0.5,
-            origin};
+            origin,
+            {{kLowBox, {0.02, 0.2, 0.0}}}};
 }
 
 } // namespace alcove

@@ -5,11 +5,19 @@
 
 namespace alcove {
 
-/// Meshes at fixed places, made by hand.
+/// How an object goes on from each frame to the next.
+struct ObjectStep {
+    std::size_t object = 0;
+    glm::dvec3 translation{0.0}; ///< metres
+    double turn_radians = 0.0;   ///< about its own origin around +Y
+};
+
+/// Meshes made by hand; objects stand still or move by a constant step each frame of 1/30 s.
 class TestScene final : public Scene {
   public:
     TestScene(std::vector<Mesh> meshes, std::vector<glm::dmat4> transforms,
-              std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin = glm::dvec3(0.0));
+              std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin = glm::dvec3(0.0),
+              std::vector<ObjectStep> steps = {});
 
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_meshes; }
     [[nodiscard]] std::span<const Object> get_objects() const override { return m_objects; }
@@ -18,11 +26,13 @@ class TestScene final : public Scene {
     [[nodiscard]] double get_ao_radius_m() const override { return m_ao_radius_m; }
     [[nodiscard]] glm::dvec3 get_origin() const override { return m_origin; }
     [[nodiscard]] Pose compute_pose(double time_s) const override;
+    [[nodiscard]] bool is_static() const override { return m_steps.empty(); }
 
   private:
     std::vector<Mesh> m_meshes;
     std::vector<Object> m_objects;
     std::vector<glm::dmat4> m_transforms;
+    std::vector<ObjectStep> m_steps;
     Lights m_lights;
     Walkthrough m_walkthrough;
     double m_ao_radius_m;
@@ -46,7 +56,8 @@ class TestScene final : public Scene {
                                           double tilt_radians);
 
 /// The canary: a floor, boxes in contact, a sphere and a thin post before open background, a wall
-/// over the left border; two frames with a moving camera; moved as a whole by `origin`.
+/// over the left border; two frames with a moving camera, between which a box rises from the floor;
+/// moved as a whole by `origin`.
 [[nodiscard]] TestScene make_box_scene(const glm::dvec3& origin = glm::dvec3(0.0));
 
 } // namespace alcove

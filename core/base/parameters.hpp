@@ -45,6 +45,9 @@ struct ParameterInfo {
     bool rebuild =
         false; ///< compiled into the shaders as a constant; otherwise part of the uniform block
     std::string inert_reason; ///< why this parameter cannot change an image; empty for all that do
+    /// Settings of other parameters under which this one does something ("estimator=fox_compton");
+    /// empty where the defaults do.
+    std::string alive_with;
 };
 
 /// Where a value came from; later ones override earlier ones.
@@ -163,6 +166,10 @@ class ParameterBuilder {
     }
     ParameterBuilder&& inert(std::string reason) && {
         m_entry.info.inert_reason = std::move(reason);
+        return std::move(*this);
+    }
+    ParameterBuilder&& alive_with(std::string settings) && {
+        m_entry.info.alive_with = std::move(settings);
         return std::move(*this);
     }
     ParameterBuilder&& unit(std::string text) && {

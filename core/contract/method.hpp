@@ -4,6 +4,7 @@
 // background exactly 1. A method never includes another method; what two share lives in
 // methods/common.
 
+#include "core/base/history_state.hpp"
 #include "core/base/parameters.hpp"
 #include "core/base/registry.hpp"
 #include "core/base/target.hpp"
@@ -27,22 +28,31 @@ namespace alcove {
 struct MethodRequests {
     ChannelSet channels{Channel::eye_depth, Channel::normal};
     bool posed_geometry = false;
+    /// Added to the G-buffer on each side, as a fraction of width and height, in [0, 0.5].
+    double border = 0.0;
 };
 
 /// What it gets, for one frame. Textures hold exactly the declared channels, or more.
 struct MethodInputs {
-    const FrameView& view;
-    const GBuffer& gbuffer;
+    const FrameView& view;  ///< of the G-buffer: extended by the border that was asked for
+    const GBuffer& gbuffer; ///< view.size, border included
     const PosedGeometry* geometry = nullptr; ///< only if requested
     const Lights* lights = nullptr;
     std::uint32_t noise_seed =
         0; ///< belongs to the harness: equal seeds and frames give equal images
+    /// Asks for MethodOutput::history_state. Never set while times are taken, and must not change
+    /// the images.
+    bool wants_history_state = false;
 };
 
-/// What it leaves. Textures stay the method's and hold until the next call. Not both null.
+/// What it leaves. Textures stay the method's and hold until the next call. Not both images null.
 struct MethodOutput {
-    const gl::Texture* visibility = nullptr; ///< R32F
-    const gl::Texture* radiance = nullptr;   ///< RGBA16F, linear Rec. 709
+    const gl::Texture* visibility = nullptr; ///< R32F, the size of resize()
+    const gl::Texture* radiance = nullptr;   ///< RGBA16F, linear Rec. 709, the same size
+    /// RGBA32F with the channels of HistoryChannel, border included; may be smaller than the view
+    /// where the method works at a lower resolution. Only if it was asked for and the method has a
+    /// history.
+    const gl::Texture* history_state = nullptr;
 };
 
 class Method {
@@ -53,8 +63,8 @@ class Method {
     Method& operator=(const Method&) = delete;
 
     [[nodiscard]] virtual MethodRequests get_requests() const { return {}; }
-    /// Allocates for this size. Called before the first frame and whenever the size changes;
-    /// implies reset_history.
+    /// Allocates for images of this size (without border). Called before the first frame and
+    /// whenever the size changes; implies reset_history.
     virtual void resize(ImageSize size) = 0;
     /// Forgets all earlier frames. Called at each segment's start.
     virtual void reset_history() {}

@@ -12,12 +12,12 @@
 
 namespace alcove {
 
-enum class Channel { eye_depth, normal, albedo, direct_light, motion, instance_id };
+enum class Channel { eye_depth, normal, albedo, direct_light, motion, instance_id, motion_depth };
 
 struct ChannelInfo {
     Channel channel;
     std::string_view name;
-    GLenum format;              ///< as stored; eye_depth may be changed by Precision
+    GLenum format;              ///< as stored; eye_depth and motion may be changed by Precision
     std::string_view glsl_type; ///< of the fragment output
     int components;
     std::string_view meaning;
@@ -35,6 +35,8 @@ inline constexpr std::array kChannels{
                 "object motion p_old - p_new in world axes, metres; exactly 0 for static points"},
     ChannelInfo{Channel::instance_id, "instance_id", GL_R32UI, "uint", 1,
                 "index of the object + 1; 0 on the background"},
+    ChannelInfo{Channel::motion_depth, "motion_depth", GL_RGBA32F, "vec4", 4,
+                "motion in rgb and eye depth in a: both in one fetch, always in full precision"},
 };
 
 /// A set of channels.

@@ -1,6 +1,7 @@
 #include "core/frame/frame_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace alcove {
 
@@ -21,11 +22,36 @@ FrameView make_frame_view(const Walkthrough& walkthrough, int index, ImageSize s
     return view;
 }
 
+void detect_motion(const Scene& scene, FrameView& view) {
+    view.objects_may_move = view.time_s != view.previous_time_s && !scene.is_static() &&
+                            scene.compute_pose(view.time_s).object_to_world !=
+                                scene.compute_pose(view.previous_time_s).object_to_world;
+}
+
+Border make_border(ImageSize size, double fraction) {
+    ALCOVE_ASSERT(fraction >= 0.0 && fraction <= 0.5, "a border of at most half the image");
+    return {static_cast<int>(std::ceil(fraction * size.width)),
+            static_cast<int>(std::ceil(fraction * size.height))};
+}
+
+FrameView extend(const FrameView& view, const Border& border) {
+    FrameView extended = view;
+    extended.size = {view.size.width + 2 * border.x, view.size.height + 2 * border.y};
+    // The horizontal tangent follows from the vertical one and the ratio of the sides, which gives
+    // exactly (W + 2 b_x) / W of the old one.
+    const double grown = static_cast<double>(extended.size.height) / view.size.height;
+    for (Camera* camera : {&extended.camera, &extended.previous_camera}) {
+        camera->fov_y_radians = 2.0 * std::atan(grown * std::tan(0.5 * camera->fov_y_radians));
+    }
+    return extended;
+}
+
 FrameView hold(const FrameView& view) {
     FrameView held = view;
     held.previous_camera = view.camera;
     held.previous_time_s = view.time_s;
     held.history_valid = true;
+    held.objects_may_move = false;
     return held;
 }
 

@@ -14,12 +14,32 @@ struct FrameView {
     Camera previous_camera;
     bool history_valid = false; ///< false on frame 0, after a cut and on a segment's first frame
     ImageSize size;
+    /// False only where every object stands as it stood one frame ago; true where that is not
+    /// known.
+    bool objects_may_move = true;
 };
 
 /// Frame `index` of the walkthrough. Where the history is invalid (frame 0, a cut,
 /// `starts_segment`) previous = current. Asserts that the frame exists.
 [[nodiscard]] FrameView make_frame_view(const Walkthrough& walkthrough, int index, ImageSize size,
                                         bool starts_segment);
+
+/// Finds out objects_may_move by comparing the scene's two poses.
+void detect_motion(const Scene& scene, FrameView& view);
+
+/// Pixels added on each side.
+struct Border {
+    int x = 0;
+    int y = 0;
+    friend auto operator<=>(const Border&, const Border&) = default;
+};
+
+/// `fraction` of width and height on each side, rounded up. Asserts [0, 0.5].
+[[nodiscard]] Border make_border(ImageSize size, double fraction);
+
+/// The same frame on an image that is larger on each side: both cameras see more, and the pixels
+/// inside the border are those of the view without it.
+[[nodiscard]] FrameView extend(const FrameView& view, const Border& border);
 
 /// The same frame held: previous = current, history valid. For converged replays.
 [[nodiscard]] FrameView hold(const FrameView& view);

@@ -17,6 +17,16 @@ GLenum get_raster_format(RasterDepth depth) {
     return GL_DEPTH_COMPONENT16;
 }
 
+GLenum get_format(const ChannelInfo& info, const Precision& precision) {
+    if (info.channel == Channel::eye_depth && precision.eye_depth == EyeDepth::float16) {
+        return GL_R16F;
+    }
+    if (info.channel == Channel::motion && precision.motion == MotionPrecision::float32) {
+        return GL_RGBA32F;
+    }
+    return info.format;
+}
+
 } // namespace
 
 GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
@@ -24,17 +34,21 @@ GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
     : m_size(size), m_channels(channels), m_precision(precision),
       m_raster_depth(gl, get_raster_format(precision.raster_depth), size) {
     std::vector<const gl::Texture*> targets;
+    std::vector<const gl::Texture*> still_targets;
     for (const ChannelInfo& info : kChannels) {
         if (!channels.contains(info.channel)) {
             continue;
         }
-        const bool is_half =
-            info.channel == Channel::eye_depth && precision.eye_depth == EyeDepth::float16;
         gl::Texture& texture = m_textures.at(static_cast<std::size_t>(info.channel));
-        texture = gl::Texture(gl, is_half ? GLenum{GL_R16F} : info.format, size);
+        texture = gl::Texture(gl, get_format(info, precision), size);
         targets.push_back(&texture);
+        if (info.channel != Channel::motion) {
+            still_targets.push_back(&texture);
+            m_still_channels.add(info.channel);
+        }
     }
     m_framebuffer = gl::create_framebuffer(gl, std::span(targets), &m_raster_depth);
+    m_still_framebuffer = gl::create_framebuffer(gl, std::span(still_targets), &m_raster_depth);
     if (precision.eye_depth == EyeDepth::from_raster && channels.contains(Channel::eye_depth)) {
         m_rebuild_framebuffer = gl::create_framebuffer(gl, {&texture(Channel::eye_depth)});
     }

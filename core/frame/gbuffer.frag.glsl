@@ -37,6 +37,9 @@ void main() {
 #ifdef WRITE_motion
     out_motion = vec4(motion, 0.0);
 #endif
+#ifdef WRITE_motion_depth
+    out_motion_depth = vec4(motion, eye_depth);
+#endif
 #ifdef WRITE_instance_id
     out_instance_id = instance_id;
 #endif

@@ -22,6 +22,10 @@ class GBuffer {
 
     // For the renderer.
     [[nodiscard]] GLuint framebuffer() const noexcept { return m_framebuffer.get(); }
+    /// The channels that an object which stands still writes: all but motion, which is cleared to
+    /// 0.
+    [[nodiscard]] ChannelSet still_channels() const noexcept { return m_still_channels; }
+    [[nodiscard]] GLuint still_framebuffer() const noexcept { return m_still_framebuffer.get(); }
     [[nodiscard]] const gl::Texture& raster_depth() const noexcept { return m_raster_depth; }
     /// Target of the pass that rebuilds eye depth from raster depth; 0 unless precision asks for
     /// it.
@@ -32,10 +36,12 @@ class GBuffer {
   private:
     ImageSize m_size;
     ChannelSet m_channels;
+    ChannelSet m_still_channels;
     Precision m_precision;
     std::array<gl::Texture, kChannels.size()> m_textures;
     gl::Texture m_raster_depth;
     gl::FramebufferHandle m_framebuffer;
+    gl::FramebufferHandle m_still_framebuffer;
     gl::FramebufferHandle m_rebuild_framebuffer;
 };
 

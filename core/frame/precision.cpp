@@ -20,6 +20,11 @@ const std::vector<std::string>& get_eye_names() {
     return kNames;
 }
 
+const std::vector<std::string>& get_motion_names() {
+    static const std::vector<std::string> kNames{"16F", "32F"};
+    return kNames;
+}
+
 std::size_t find_choice(std::string_view key, std::string_view value,
                         const std::vector<std::string>& names) {
     const auto found = std::find(names.begin(), names.end(), value);
@@ -36,7 +41,8 @@ std::string describe(const Precision& precision) {
     return "raster_depth=" +
            get_raster_names().at(static_cast<std::size_t>(precision.raster_depth)) +
            (precision.reversed ? ",reversed" : "") +
-           ",eye_depth=" + get_eye_names().at(static_cast<std::size_t>(precision.eye_depth));
+           ",eye_depth=" + get_eye_names().at(static_cast<std::size_t>(precision.eye_depth)) +
+           (precision.motion == MotionPrecision::float32 ? ",motion=32F" : "");
 }
 
 Precision parse_precision(std::string_view text) {
@@ -53,8 +59,11 @@ Precision parse_precision(std::string_view text) {
         } else if (entry.key == "eye_depth") {
             precision.eye_depth =
                 static_cast<EyeDepth>(find_choice(entry.key, entry.value, get_eye_names()));
+        } else if (entry.key == "motion") {
+            precision.motion = static_cast<MotionPrecision>(
+                find_choice(entry.key, entry.value, get_motion_names()));
         } else {
-            const std::vector<std::string> keys{"raster_depth", "reversed", "eye_depth"};
+            const std::vector<std::string> keys{"raster_depth", "reversed", "eye_depth", "motion"};
             throw InputError("--precision", "unknown key", entry.key,
                              describe_choices(entry.key, keys));
         }

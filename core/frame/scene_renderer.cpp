@@ -109,6 +109,8 @@ void SceneRenderer::clear(const GBuffer& gbuffer) const {
             std::array<float, 4> value{};
             if (info.channel == Channel::eye_depth) {
                 value.fill(std::numeric_limits<float>::infinity());
+            } else if (info.channel == Channel::motion_depth) {
+                value[3] = std::numeric_limits<float>::infinity();
             }
             m_gl.ClearNamedFramebufferfv(gbuffer.framebuffer(), GL_COLOR, buffer, value.data());
         }
@@ -131,24 +133,42 @@ void SceneRenderer::set_lights(const Pipeline& pipeline, const Camera& camera) c
     }
 }
 
-void SceneRenderer::draw_objects(const Pipeline& pipeline, const FrameView& view) const {
+SceneRenderer::Objects SceneRenderer::sort_objects(const FrameView& view) const {
     const Pose pose = m_scene.compute_pose(view.time_s);
     const Pose previous =
         view.previous_time_s == view.time_s ? pose : m_scene.compute_pose(view.previous_time_s);
-    const std::span<const Object> objects = m_scene.get_objects();
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-        const glm::dmat4& object_to_world = pose.object_to_world[i];
-        const glm::dmat4 view_from_object = compute_view_from_object(view.camera, object_to_world);
+    Objects objects;
+    for (std::size_t i = 0; i < pose.object_to_world.size(); ++i) {
+        const ObjectTransform transform{i, pose.object_to_world[i], previous.object_to_world[i]};
+        (transform.now == transform.before ? objects.still : objects.moving).push_back(transform);
+    }
+    return objects;
+}
+
+void SceneRenderer::draw_objects(ChannelSet channels, GLuint framebuffer, const FrameView& view,
+                                 const glm::dmat4& projection,
+                                 const std::vector<ObjectTransform>& objects) {
+    if (objects.empty()) {
+        return;
+    }
+    const Pipeline& pipeline = get_pipeline(channels);
+    m_gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    pipeline.program.use();
+    set_matrix(m_gl, pipeline.clip_from_view, projection);
+    set_lights(pipeline, view.camera);
+    for (const ObjectTransform& object : objects) {
+        const glm::dmat4 view_from_object = compute_view_from_object(view.camera, object.now);
         set_matrix(m_gl, pipeline.view_from_object, view_from_object);
         const glm::mat3 normal_matrix(glm::transpose(glm::inverse(glm::dmat3(view_from_object))));
         m_gl.UniformMatrix3fv(pipeline.normal_matrix, 1, GL_FALSE, glm::value_ptr(normal_matrix));
         // p_old - p_new as one matrix: the difference is taken in double before anything is
         // rounded.
-        set_matrix(m_gl, pipeline.motion_matrix, previous.object_to_world[i] - object_to_world);
-        const glm::vec3 albedo = m_scene.get_meshes()[objects[i].mesh].albedo;
+        set_matrix(m_gl, pipeline.motion_matrix, object.before - object.now);
+        const std::size_t mesh_index = m_scene.get_objects()[object.index].mesh;
+        const glm::vec3 albedo = m_scene.get_meshes()[mesh_index].albedo;
         m_gl.Uniform3f(pipeline.albedo, albedo.x, albedo.y, albedo.z);
-        m_gl.Uniform1ui(pipeline.instance_id, static_cast<GLuint>(i + 1));
-        const GpuMesh& mesh = m_meshes[objects[i].mesh];
+        m_gl.Uniform1ui(pipeline.instance_id, static_cast<GLuint>(object.index + 1));
+        const GpuMesh& mesh = m_meshes[mesh_index];
         m_gl.BindVertexArray(mesh.vertex_array.get());
         m_gl.DrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
     }
@@ -169,19 +189,19 @@ void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const Camera& came
 
 void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
     ALCOVE_ASSERT(gbuffer.size() == view.size, "a G-buffer of the frame's size");
-    const Pipeline& pipeline = get_pipeline(gbuffer.channels());
     const bool reversed = gbuffer.precision().reversed;
     const glm::dmat4 projection = compute_projection(view.camera, view.size, reversed);
     clear(gbuffer);
-    m_gl.BindFramebuffer(GL_FRAMEBUFFER, gbuffer.framebuffer());
     m_gl.Viewport(0, 0, view.size.width, view.size.height);
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     m_gl.Enable(GL_DEPTH_TEST);
     m_gl.DepthFunc(reversed ? GL_GREATER : GL_LESS);
-    pipeline.program.use();
-    set_matrix(m_gl, pipeline.clip_from_view, projection);
-    set_lights(pipeline, view.camera);
-    draw_objects(pipeline, view);
+    // What stands still leaves the cleared motion alone. It comes first: a mover behind it then
+    // fails the depth test, and one before it writes over the zero.
+    const Objects objects = sort_objects(view);
+    draw_objects(gbuffer.still_channels(), gbuffer.still_framebuffer(), view, projection,
+                 objects.still);
+    draw_objects(gbuffer.channels(), gbuffer.framebuffer(), view, projection, objects.moving);
     m_gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (gbuffer.rebuild_framebuffer() != 0) {
         rebuild_eye_depth(gbuffer, view.camera);

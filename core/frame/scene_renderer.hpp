@@ -41,10 +41,23 @@ class SceneRenderer {
         GLint instance_id = -1;
     };
 
+    /// An object's transform to the world, now and one frame ago.
+    struct ObjectTransform {
+        std::size_t index;
+        glm::dmat4 now;
+        glm::dmat4 before;
+    };
+    struct Objects {
+        std::vector<ObjectTransform> still;
+        std::vector<ObjectTransform> moving;
+    };
+
     const Pipeline& get_pipeline(ChannelSet channels);
     void clear(const GBuffer& gbuffer) const;
     void set_lights(const Pipeline& pipeline, const Camera& camera) const;
-    void draw_objects(const Pipeline& pipeline, const FrameView& view) const;
+    [[nodiscard]] Objects sort_objects(const FrameView& view) const;
+    void draw_objects(ChannelSet channels, GLuint framebuffer, const FrameView& view,
+                      const glm::dmat4& projection, const std::vector<ObjectTransform>& objects);
     void rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const;
 
     const gl::Functions& m_gl;

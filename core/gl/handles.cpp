@@ -79,6 +79,16 @@ FramebufferHandle create_framebuffer(const Functions& gl, std::span<const Textur
 Image read_texture(const Functions& gl, const Texture& texture, int channels) {
     Image image(texture.size(), channels);
     gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    if (texture.format() == GL_R32UI) {
+        ALCOVE_ASSERT(channels == 1, "one channel of whole numbers");
+        std::vector<GLuint> numbers(image.values().size());
+        gl.GetTextureImage(texture.get(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                           static_cast<GLsizei>(numbers.size() * sizeof(GLuint)), numbers.data());
+        std::transform(numbers.begin(), numbers.end(), image.values().begin(),
+                       [](GLuint number) { return static_cast<float>(number); });
+        flip_rows(image.values(), image.size(), channels);
+        return image;
+    }
     gl.GetTextureImage(texture.get(), 0, kPixelFormats.at(static_cast<std::size_t>(channels)),
                        GL_FLOAT, static_cast<GLsizei>(image.values().size_bytes()),
                        image.values().data());

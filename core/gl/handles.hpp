@@ -90,8 +90,8 @@ class Texture {
                                                    std::span<const Texture* const> colors,
                                                    const Texture* depth = nullptr);
 
-/// Reads `channels` float channels (1 to 4) of a texture; row 0 of the image is the top row, which
-/// is the texture's last.
+/// Reads `channels` float channels (1 to 4) of a texture, or the whole numbers of an R32UI one
+/// (exact up to 2^24); row 0 of the image is the top row, which is the texture's last.
 [[nodiscard]] Image read_texture(const Functions& gl, const Texture& texture, int channels);
 
 /// Uploads an image (row 0 on top) into a texture with the same size and at least its channels.

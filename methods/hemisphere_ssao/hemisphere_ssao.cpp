@@ -3,11 +3,8 @@
 #include "core/frame/full_screen.hpp"
 #include "methods/common/cross_bilateral_blur.hpp"
 #include "methods/common/parameter_block.hpp"
-#include "methods/common/sequence.hpp"
 #include "methods/common/shaders.hpp"
-
-#include <cmath>
-#include <numbers>
+#include "methods/common/unit_parts.hpp"
 
 namespace alcove {
 namespace {
@@ -139,15 +136,6 @@ class HemisphereSsao final : public Method {
     gl::FramebufferHandle m_framebuffer;
 };
 
-std::vector<ParameterOverride>
-make_overrides(std::initializer_list<std::pair<const char*, const char*>> values) {
-    std::vector<ParameterOverride> overrides;
-    for (const auto& [name, value] : values) {
-        overrides.push_back({name, value, Provenance::preset});
-    }
-    return overrides;
-}
-
 /// Without bias a plane darkens where its depth changes within a pixel: that is what the paper's
 /// form does.
 std::vector<Preset> make_presets() {
@@ -187,43 +175,7 @@ std::vector<Preset> make_presets() {
     };
 }
 
-TargetMapping map_target(const Target& target) {
-    TargetMapping mapping;
-    mapping.overrides = {
-        {"radius", to_text(ParameterValue{target.radius_m}), Provenance::target},
-        // Both forms weight by the cosine; the target's weighting has no other counterpart.
-    };
-    if (target.falloff != Falloff::linear) {
-        mapping.reason = "falloff " + std::string(to_text(target.falloff)) +
-                         " asked for, linear computed: the step length is uniform";
-    }
-    if (target.weighting != Weighting::cosine) {
-        mapping.reason += (mapping.reason.empty() ? "" : "; ") +
-                          std::string("weighting uniform asked for, cosine computed");
-    }
-    if (target.normals != Normals::shading) {
-        mapping.reason +=
-            (mapping.reason.empty() ? "" : "; ") +
-            std::string("geometric normals asked for, the G-buffer's shading normals used");
-    }
-    return mapping;
-}
-
 } // namespace
-
-std::vector<glm::vec4> make_hemisphere_kernel(int samples, KernelDirections directions) {
-    std::vector<glm::vec4> kernel;
-    for (int i = 1; i <= samples; ++i) {
-        const auto index = static_cast<std::uint32_t>(i);
-        const double u = compute_radical_inverse(index, 2);
-        const double azimuth = 2.0 * std::numbers::pi * compute_radical_inverse(index, 3);
-        const double z = directions == KernelDirections::uniform ? u : std::sqrt(u);
-        const double horizontal = std::sqrt(1.0 - z * z);
-        kernel.emplace_back(horizontal * std::cos(azimuth), horizontal * std::sin(azimuth), z,
-                            compute_radical_inverse(index, 5));
-    }
-    return kernel;
-}
 
 MethodUnit hemisphere_ssao_unit() {
     MethodUnit unit;
@@ -236,7 +188,7 @@ MethodUnit hemisphere_ssao_unit() {
     unit.presets = make_presets();
     unit.plane_response = 1.0;
     unit.converged_preset = "converged";
-    unit.map_target = map_target;
+    unit.map_target = map_linear_cosine_target;
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         return std::make_unique<HemisphereSsao>(context.functions(), resolved);
     };

@@ -5,15 +5,9 @@
 // falloff.
 
 #include "core/contract/method.hpp"
-
-#include <vector>
-
-#include <glm/vec4.hpp>
+#include "methods/common/kernels.hpp"
 
 namespace alcove {
-
-enum class KernelDirections { uniform, cosine };
-enum class KernelBorder { open, clamp };
 
 struct HemisphereSsaoParams {
     double radius = 0.5; ///< metres
@@ -26,11 +20,6 @@ struct HemisphereSsaoParams {
     int blur_radius = 2;     ///< pixels on each side; 0: no blur
     double blur_edge = 0.05; ///< in radii off the tangent plane
 };
-
-/// The sample points: xyz = unit direction with z along the normal, w = step length in radii.
-/// Halton points 1..n in bases 2 (elevation), 3 (azimuth), 5 (step length).
-[[nodiscard]] std::vector<glm::vec4> make_hemisphere_kernel(int samples,
-                                                            KernelDirections directions);
 
 [[nodiscard]] MethodUnit hemisphere_ssao_unit();
 

@@ -2,6 +2,7 @@
 // coherence. 2010, equation (2) with points in the hemisphere, and on their cut of 2 r. The bias is ours (see README).
 #include "parameters.glsl"
 #include "core/frame/reconstruct.glsl"
+#include "methods/common/hemisphere_estimator.glsl"
 #include "methods/common/noise.glsl"
 #include "methods/common/tangent_frame.glsl"
 layout(binding = 0) uniform sampler2D eye_depth_texture;
@@ -12,30 +13,20 @@ uniform uint noise_seed;
 layout(location = 0) out float visibility;
 
 const float kTwoPi = 6.2831853;
-// Rounding of a 32-bit sample depth against a 32-bit stored depth: 8 units in the last place.
-const float kRoundingGuard = 1.0 + 8.0 / 16777216.0;
-
-// On a plane 1/depth is linear in pixels, so a depth read at a pixel's centre instead of at the sample's own place is off
-// by at most half of |d(1/z)/dx| + |d(1/z)/dy|: exact for planes at any tilt, in units of inverse metres.
-float compute_footprint_bias(vec3 p, vec3 n, vec2 pixel_tangents, float bias) {
-    return bias * 0.5 * dot(abs(n.xy), pixel_tangents) / abs(dot(n, p));
-}
-
 // 1 if the surface hides q from the viewer and lies within the cut distance of p.
 float compute_blocked(vec3 p, vec3 q, float bias, float cut_squared, vec2 half_pixel) {
     float inverse_depth = 1.0 / -q.z;
     vec2 uv = project_to_uv(q, inverse_depth, tangents);
-    bool inside = q.z < 0.0;
-    if (param_border == param_border_open) {
-        inside = inside && all(greaterThanEqual(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
-    } else {
+    const bool is_clamped = param_border == param_border_clamp;
+    bool comparable = is_comparable(q, uv, is_clamped);
+    if (is_clamped) {
         uv = clamp(uv, half_pixel, 1.0 - half_pixel);
     }
     float surface = textureLod(eye_depth_texture, uv, 0.0).r;
     vec3 hit = reconstruct_view_position(uv, surface, tangents);
     vec3 to_hit = hit - p;
-    bool blocked = surface * (inverse_depth * kRoundingGuard + bias) < 1.0;
-    return inside && blocked && dot(to_hit, to_hit) <= cut_squared ? 1.0 : 0.0;
+    bool hidden = is_hidden(surface, inverse_depth, bias);
+    return comparable && hidden && dot(to_hit, to_hit) <= cut_squared ? 1.0 : 0.0;
 }
 
 void main() {

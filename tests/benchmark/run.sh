@@ -5,7 +5,8 @@ set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
-cmake --build "$root/build/release" --target alcove benchmark_ssim benchmark_tracer benchmark_overhead > /dev/null ||
+cmake --build "$root/build/release" --target alcove benchmark_ssim benchmark_tracer benchmark_overhead \
+    benchmark_tssao > /dev/null ||
     exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -57,6 +58,8 @@ measure() {
 "$bin/benchmark_ssim"
 note $?
 "$bin/benchmark_tracer"
+note $?
+"$bin/benchmark_tssao"
 note $?
 ALCOVE_CACHE="$work/quick-cache" measure 'run --quick, cold' 90 "$work/quick" --quick
 if [ "${1:-}" = --no-suite ]; then

@@ -8,20 +8,24 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
     constexpr std::uint32_t kSeed = 1;
     const gl::Functions& gl = context.functions();
     const MethodRequests requests = method.get_requests();
-    const GBuffer gbuffer(gl, settings.size, kBaseChannels | requests.channels, {});
+    const Border border = make_border(settings.size, requests.border);
+    const ImageSize gbuffer_size{settings.size.width + 2 * border.x,
+                                 settings.size.height + 2 * border.y};
+    const GBuffer gbuffer(gl, gbuffer_size, kBaseChannels | requests.channels, {});
     SceneRenderer renderer(gl, scene);
-    const PosedGeometry geometry = pose_geometry(scene, 0.0);
     method.resize(settings.size);
     Shot shot;
     for (const int frame : settings.frames) {
         const FrameView view =
-            make_frame_view(scene.get_walkthrough(), frame, settings.size, false);
+            extend(make_frame_view(scene.get_walkthrough(), frame, settings.size, false), border);
+        const PosedGeometry geometry = pose_geometry(scene, view.time_s);
         context.reset_state();
         renderer.render(gbuffer, view);
         MethodInputs inputs{view, gbuffer};
         inputs.geometry = requests.posed_geometry ? &geometry : nullptr;
         inputs.lights = &scene.get_lights();
         inputs.noise_seed = kSeed;
+        inputs.wants_history_state = settings.wants_history_state;
         if (settings.between != nullptr) {
             PassRecorder ignored(PassTiming::none);
             static_cast<void>(settings.between->render(inputs, ignored));
@@ -31,6 +35,9 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
         const MethodOutput output = method.render(inputs, recorder);
         shot.passes = recorder.names();
         shot.visibility = gl::read_texture(gl, *output.visibility, 1);
+        if (output.history_state != nullptr) {
+            shot.history_state = gl::read_texture(gl, *output.history_state, 4);
+        }
         context.check_errors();
     }
     return shot;

@@ -11,6 +11,7 @@ namespace alcove {
 /// What the last frame left behind.
 struct Shot {
     Image visibility;
+    Image history_state; ///< empty unless it was asked for and the method has one
     std::vector<std::string> passes;
 };
 
@@ -18,6 +19,7 @@ struct ShotSettings {
     ImageSize size{128, 96};
     std::vector<int> frames{0, 1}; ///< in order, so that histories take part
     Method* between = nullptr; ///< rendered before the method in every frame, e.g. a hostile one
+    bool wants_history_state = false;
 };
 
 /// Resizes the method first. Throws FailureError if it made a GL error.

@@ -1,4 +1,5 @@
 // The contract of DESIGN 2 over every registered method.
+#include "core/base/text.hpp"
 #include "core/contract/method.hpp"
 #include "core/frame/scene_renderer.hpp"
 #include "methods/registry.hpp"
@@ -25,6 +26,16 @@ class MethodContract : public GlTest, public testing::WithParamInterface<MethodU
     static ResolvedParameters resolve(std::vector<ParameterOverride> overrides,
                                       double radius_m = 0.5) {
         return GetParam().parameters.resolve(overrides, {{"scene_radius", radius_m}});
+    }
+
+    /// "name=value,..." as overrides.
+    static std::vector<ParameterOverride> read_settings(const std::string& text) {
+        std::vector<ParameterOverride> overrides;
+        for (const KeyValue& entry :
+             text.empty() ? std::vector<KeyValue>{} : parse_key_values(text, "alive_with")) {
+            overrides.push_back({entry.key, entry.value});
+        }
+        return overrides;
     }
 
     /// All frames of the test scene; the last one is kept.
@@ -80,8 +91,12 @@ TEST_P(MethodContract, EveryParameterIsAliveOnTheCanary) {
         // A reference with its most rays takes minutes; 256 against 2 shows the same.
         const bool is_rays = GetParam().is_reference && info.name == "rays";
         const std::string top = is_rays ? "256" : get_extreme(info, true);
-        const Shot least = shoot_fresh(scene, resolve({{info.name, get_extreme(info, false)}}));
-        const Shot most = shoot_fresh(scene, resolve({{info.name, top}}));
+        std::vector<ParameterOverride> least_overrides = read_settings(info.alive_with);
+        std::vector<ParameterOverride> most_overrides = least_overrides;
+        least_overrides.push_back({info.name, get_extreme(info, false)});
+        most_overrides.push_back({info.name, top});
+        const Shot least = shoot_fresh(scene, resolve(least_overrides));
+        const Shot most = shoot_fresh(scene, resolve(most_overrides));
         EXPECT_TRUE(hash_image(least.visibility) != hash_image(most.visibility) ||
                     least.passes != most.passes)
             << info.name << " changes neither the image nor the passes";
@@ -162,6 +177,16 @@ TEST_P(MethodContract, AWorldFarFromZeroLooksTheSame) {
     for (std::size_t i = 0; i < near_zero.values().size(); ++i) {
         ASSERT_NEAR(near_zero.values()[i], far_away.values()[i], 1.0f / 255.0f) << "pixel " << i;
     }
+}
+
+TEST_P(MethodContract, AskingForTheHistoryStateDoesNotChangeTheImage) {
+    const TestScene scene = make_box_scene();
+    ShotSettings with_state;
+    with_state.wants_history_state = true;
+    const Shot asked = shoot_fresh(scene, resolve({}), with_state);
+    EXPECT_EQ(hash_image(shoot_fresh(scene, resolve({})).visibility), hash_image(asked.visibility));
+    const bool has_history = GetParam().warm_frames(resolve({})) > 0;
+    EXPECT_EQ(asked.history_state.empty(), !has_history);
 }
 
 TEST_P(MethodContract, TargetsAreMappedOrDeclined) {

@@ -21,16 +21,22 @@ class SceneRendererTest : public GlTest {
         Image eye_depth;
         Image normal;
         Image motion;
+        Image instance_id;
+        Image motion_depth;
     };
     Rendered render(const Scene& scene, const Precision& precision = {}, int frame = 0) {
-        const ChannelSet channels = kBaseChannels | ChannelSet{Channel::motion};
+        const ChannelSet channels =
+            kBaseChannels |
+            ChannelSet{Channel::motion, Channel::instance_id, Channel::motion_depth};
         const GBuffer gbuffer(gl(), kSize, channels, precision);
         SceneRenderer renderer(gl(), scene);
         context().reset_state();
         renderer.render(gbuffer, make_frame_view(scene.get_walkthrough(), frame, kSize, false));
         return {gl::read_texture(gl(), gbuffer.texture(Channel::eye_depth), 1),
                 gl::read_texture(gl(), gbuffer.texture(Channel::normal), 3),
-                gl::read_texture(gl(), gbuffer.texture(Channel::motion), 3)};
+                gl::read_texture(gl(), gbuffer.texture(Channel::motion), 3),
+                gl::read_texture(gl(), gbuffer.texture(Channel::instance_id), 1),
+                gl::read_texture(gl(), gbuffer.texture(Channel::motion_depth), 4)};
     }
 };
 
@@ -97,10 +103,34 @@ TEST_F(SceneRendererTest, AWorldFarFromZeroLooksTheSame) {
     }
 }
 
-TEST_F(SceneRendererTest, MotionIsZeroForStaticObjectsUnderAMovingCamera) {
-    const Rendered rendered = render(make_box_scene(), {}, 1);
-    for (const float value : rendered.motion.values()) {
-        ASSERT_EQ(value, 0.0f);
+TEST_F(SceneRendererTest, MotionIsThatOfTheObjectAndZeroForStaticOnesUnderAMovingCamera) {
+    const TestScene scene = make_box_scene();
+    const Rendered rendered = render(scene, {}, 1);
+    int moved = 0;
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            // The canary's object 3 steps by (0.02, 0.2, 0); half floats, truncated (2^-10
+            // relative).
+            const bool moves = rendered.instance_id.at(x, y) == 3.0f;
+            moved += moves ? 1 : 0;
+            ASSERT_NEAR(rendered.motion.at(x, y, 0), moves ? -0.02f : 0.0f, moves ? 2e-5 : 0.0);
+            ASSERT_NEAR(rendered.motion.at(x, y, 1), moves ? -0.2f : 0.0f, moves ? 2e-4 : 0.0);
+            ASSERT_EQ(rendered.motion.at(x, y, 2), 0.0f);
+        }
+    }
+    EXPECT_GT(moved, 100);
+}
+
+TEST_F(SceneRendererTest, MotionAndDepthInOneTexelAreTheSameInFullPrecision) {
+    const TestScene scene = make_box_scene();
+    const Rendered rendered = render(scene, parse_precision("motion=32F"), 1);
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            for (int c = 0; c < 3; ++c) {
+                ASSERT_EQ(rendered.motion_depth.at(x, y, c), rendered.motion.at(x, y, c));
+            }
+            ASSERT_EQ(rendered.motion_depth.at(x, y, 3), rendered.eye_depth.at(x, y));
+        }
     }
 }
 

@@ -1,0 +1,200 @@
+#include "core/frame/reprojection.hpp"
+
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+namespace alcove {
+namespace {
+
+constexpr float kDepthTolerance = 0.01f;
+constexpr float kNormalCosine = 0.9f;
+/// Closer to a pixel's centre than this it is the centre: rounding of a camera that stands still.
+constexpr float kSnapPixels = 1e-3f;
+
+float snap_to_centre(float place) {
+    const float centre = std::floor(place) + 0.5f;
+    return std::abs(place - centre) < kSnapPixels ? centre : place;
+}
+
+glm::vec3 get_vector(const Image& image, int x, int y) {
+    return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+}
+
+/// One pixel's place in the earlier image and whether the same surface stood there.
+class PixelMatcher {
+  public:
+    PixelMatcher(const FrameView& view, const SurfaceImages& now, const SurfaceImages& before)
+        : m_now(now), m_before(before), m_size(view.size),
+          m_tangents(compute_tangents(view.camera, view.size)) {
+        const Reprojection exact = make_reprojection(view);
+        m_previous_from_view = glm::mat3(exact.previous_from_view);
+        m_previous_from_world = glm::mat3(exact.previous_from_world);
+        m_offset = glm::vec3(exact.previous_offset);
+        m_previous_tangents = glm::vec2(exact.previous_tangents);
+    }
+
+    /// Fills `place` (pixels of the earlier image); false if the point was not seen there.
+    [[nodiscard]] bool match(int x, int y, glm::vec2& place) const {
+        const float depth = m_now.eye_depth.at(x, y);
+        if (std::isinf(depth)) {
+            return false;
+        }
+        const glm::vec2 size(m_size.width, m_size.height);
+        const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const glm::vec3 position((2.0f * centre.x / size.x - 1.0f) * m_tangents.x * depth,
+                                 (1.0f - 2.0f * centre.y / size.y) * m_tangents.y * depth, -depth);
+        const glm::vec3 old = m_previous_from_view * position + m_offset +
+                              m_previous_from_world * get_vector(m_now.motion, x, y);
+        if (!(old.z < 0.0f)) {
+            return false;
+        }
+        place = {size.x * (0.5f - 0.5f * old.x / (old.z * m_previous_tangents.x)),
+                 size.y * (0.5f + 0.5f * old.y / (old.z * m_previous_tangents.y))};
+        place = {snap_to_centre(place.x), snap_to_centre(place.y)};
+        // All four pixels around it must exist.
+        if (!(place.x >= 0.5f && place.y >= 0.5f && place.x <= size.x - 0.5f &&
+              place.y <= size.y - 0.5f)) {
+            return false;
+        }
+        return is_same_surface(x, y, place, -old.z);
+    }
+
+  private:
+    [[nodiscard]] bool is_same_surface(int x, int y, const glm::vec2& place,
+                                       float expected_depth) const {
+        const float left = place.x - 0.5f;
+        const float top = place.y - 0.5f;
+        const int x0 = std::min(static_cast<int>(left), m_size.width - 1);
+        const int y0 = std::min(static_cast<int>(top), m_size.height - 1);
+        const float fx = left - static_cast<float>(x0);
+        const float fy = top - static_cast<float>(y0);
+        const float id = m_now.instance_id.at(x, y);
+        const glm::vec3 expected_normal = m_previous_from_view * get_vector(m_now.normal, x, y);
+        float inverse_depth = 0.0f;
+        glm::vec3 normal(0.0f);
+        for (int tap = 0; tap < 4; ++tap) {
+            const int dx = tap % 2;
+            const int dy = tap / 2;
+            const float weight = (dx != 0 ? fx : 1.0f - fx) * (dy != 0 ? fy : 1.0f - fy);
+            if (weight == 0.0f) {
+                continue;
+            }
+            if (m_before.instance_id.at(x0 + dx, y0 + dy) != id) {
+                return false;
+            }
+            inverse_depth += weight / m_before.eye_depth.at(x0 + dx, y0 + dy);
+            normal += weight * get_vector(m_before.normal, x0 + dx, y0 + dy);
+        }
+        return std::abs(1.0f - expected_depth * inverse_depth) < kDepthTolerance &&
+               glm::dot(expected_normal, normal) >
+                   kNormalCosine * glm::length(expected_normal) * glm::length(normal);
+    }
+
+    const SurfaceImages& m_now;
+    const SurfaceImages& m_before;
+    ImageSize m_size;
+    glm::vec2 m_tangents;
+    glm::mat3 m_previous_from_view{1.0f};
+    glm::mat3 m_previous_from_world{1.0f};
+    glm::vec3 m_offset{0.0f};
+    glm::vec2 m_previous_tangents{1.0f};
+};
+
+/// 1 where the pixel and its neighbours inside the image are 1.
+Image erode(const Image& mask) {
+    Image rows = mask;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            const bool left = x == 0 || mask.at(x - 1, y) != 0.0f;
+            const bool right = x + 1 == mask.width() || mask.at(x + 1, y) != 0.0f;
+            rows.at(x, y) = left && right ? mask.at(x, y) : 0.0f;
+        }
+    }
+    Image eroded = rows;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            const bool above = y == 0 || rows.at(x, y - 1) != 0.0f;
+            const bool below = y + 1 == mask.height() || rows.at(x, y + 1) != 0.0f;
+            eroded.at(x, y) = above && below ? rows.at(x, y) : 0.0f;
+        }
+    }
+    return eroded;
+}
+
+} // namespace
+
+Reprojection make_reprojection(const FrameView& view) {
+    Reprojection reprojection;
+    reprojection.previous_from_world = glm::transpose(view.previous_camera.world_from_view);
+    reprojection.previous_from_view =
+        reprojection.previous_from_world * view.camera.world_from_view;
+    reprojection.previous_offset =
+        reprojection.previous_from_world * (view.camera.position - view.previous_camera.position);
+    reprojection.previous_tangents = compute_tangents(view.previous_camera, view.size);
+    // A camera that stands still must reproject without rounding: R^T R is not the identity bit for
+    // bit.
+    if (view.previous_camera.world_from_view == view.camera.world_from_view) {
+        reprojection.previous_from_view = glm::dmat3(1.0);
+    }
+    return reprojection;
+}
+
+glm::dvec3 reproject(const Reprojection& reprojection, const glm::dvec3& position,
+                     const glm::dvec3& motion) {
+    return reprojection.previous_from_view * position + reprojection.previous_offset +
+           reprojection.previous_from_world * motion;
+}
+
+std::optional<glm::dvec2> project_previous(const Reprojection& reprojection,
+                                           const glm::dvec3& previous_position) {
+    if (!(previous_position.z < 0.0)) {
+        return std::nullopt;
+    }
+    const glm::dvec2 tangents = reprojection.previous_tangents;
+    return glm::dvec2{0.5 - 0.5 * previous_position.x / (previous_position.z * tangents.x),
+                      0.5 + 0.5 * previous_position.y / (previous_position.z * tangents.y)};
+}
+
+void set_reprojection_uniforms(const gl::Functions& gl, const gl::Program& program,
+                               const Reprojection& reprojection) {
+    const glm::mat3 from_view(reprojection.previous_from_view);
+    const glm::mat3 from_world(reprojection.previous_from_world);
+    const glm::vec3 offset(reprojection.previous_offset);
+    const glm::vec2 tangents(reprojection.previous_tangents);
+    gl.UniformMatrix3fv(program.location("previous_from_view"), 1, GL_FALSE,
+                        glm::value_ptr(from_view));
+    gl.UniformMatrix3fv(program.location("previous_from_world"), 1, GL_FALSE,
+                        glm::value_ptr(from_world));
+    gl.Uniform3f(program.location("previous_offset"), offset.x, offset.y, offset.z);
+    gl.Uniform2f(program.location("previous_tangents"), tangents.x, tangents.y);
+}
+
+Correspondence make_correspondence(const FrameView& view, const SurfaceImages& now,
+                                   const SurfaceImages& before) {
+    const ImageSize size = view.size;
+    ALCOVE_ASSERT(now.eye_depth.size() == size && before.eye_depth.size() == size,
+                  "surfaces of the frame's size");
+    Correspondence correspondence{Image(size, 2), Image(size, 1)};
+    if (!view.history_valid) {
+        return correspondence;
+    }
+    const PixelMatcher matcher(view, now, before);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            glm::vec2 place;
+            if (matcher.match(x, y, place)) {
+                correspondence.position.at(x, y, 0) = place.x;
+                correspondence.position.at(x, y, 1) = place.y;
+                correspondence.valid.at(x, y) = 1.0f;
+            }
+        }
+    }
+    correspondence.valid = erode(correspondence.valid);
+    return correspondence;
+}
+
+} // namespace alcove
