@@ -85,6 +85,7 @@ Json list_metrics(const Units& units) {
         list.push_back(
             {{"name", unit.name},
              {"title", unit.title},
+             {"over_time", unit.is_temporal()},
              {"unit", unit.unit},
              {"direction", unit.direction == Direction::lower_is_better ? "lower is better"
                                                                         : "higher is better"},
@@ -111,8 +112,9 @@ void print_units(const Json& list) {
         if (!item.at("reported").get<bool>()) {
             continue;
         }
-        fmt::print("{:<24}{}\n", item.at("name").get<std::string>(),
-                   item.at("title").get<std::string>());
+        fmt::print("{:<24}{}{}\n", item.at("name").get<std::string>(),
+                   item.at("title").get<std::string>(),
+                   item.value("over_time", false) ? " (over time)" : "");
         for (const char* key : {"stresses", "blind_to", "obstacle"}) {
             if (item.contains(key) && !item.at(key).get<std::string>().empty()) {
                 fmt::print("{:<24}{}: {}\n", "", key, item.at(key).get<std::string>());

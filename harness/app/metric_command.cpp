@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/base/image_file.hpp"
 #include "core/base/text.hpp"
+#include "core/contract/temporal_metric.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/plan.hpp"
 
@@ -100,15 +101,22 @@ Image drop_alpha(const Image& image) {
     return result;
 }
 
+/// Metrics over time only where `with_temporal`: images alone do not say what moved where.
 std::vector<const MetricUnit*> choose_metrics(const Registry<MetricUnit>& registry,
-                                              const std::vector<std::string>& names) {
+                                              const std::vector<std::string>& names,
+                                              bool with_temporal) {
     std::vector<const MetricUnit*> chosen;
     for (const std::string& name : names) {
-        chosen.push_back(&registry.find(name));
+        const MetricUnit& unit = registry.find(name);
+        if (unit.is_temporal() && !with_temporal) {
+            throw InputError("--metric", "is over time and needs motion; it is measured by `run`",
+                             name, "a metric of images");
+        }
+        chosen.push_back(&unit);
     }
     if (chosen.empty()) {
         for (const MetricUnit& unit : registry.units()) {
-            if (unit.reported) {
+            if (unit.reported && (with_temporal || !unit.is_temporal())) {
                 chosen.push_back(&unit);
             }
         }
@@ -116,22 +124,43 @@ std::vector<const MetricUnit*> choose_metrics(const Registry<MetricUnit>& regist
     return chosen;
 }
 
+/// Prints one check and says whether it holds.
+bool report_check(const MetricUnit& unit, const std::string& name, double expected,
+                  double tolerance, std::optional<double> value) {
+    const bool holds = value && std::abs(*value - expected) <= tolerance;
+    fmt::print("{:<20}{:<36}expected {:<14} got {:<22} {}\n", unit.name, name,
+               format_number(expected), value ? format_number(*value) : "none",
+               holds ? "ok" : "FAILED");
+    return holds;
+}
+
+int count_failed_checks(const MetricUnit& unit) {
+    int failures = 0;
+    const ResolvedParameters parameters = unit.parameters.resolve({}, {});
+    if (unit.is_temporal()) {
+        const auto metric = unit.create_temporal(parameters);
+        for (const TemporalCheck& check : unit.temporal_checks) {
+            const double value = check.run(*metric);
+            failures +=
+                report_check(unit, check.name, check.expected, check.tolerance, value) ? 0 : 1;
+        }
+        return failures;
+    }
+    const auto metric = unit.create(parameters);
+    for (const MetricCheck& check : unit.checks) {
+        const Image test = check.make_test();
+        const Image reference = check.make_reference();
+        const MetricResult result = metric->evaluate({test, reference});
+        failures +=
+            report_check(unit, check.name, check.expected, check.tolerance, result.value) ? 0 : 1;
+    }
+    return failures;
+}
+
 int run_self_test(const std::vector<const MetricUnit*>& metrics) {
     int failures = 0;
     for (const MetricUnit* unit : metrics) {
-        const auto metric = unit->create(unit->parameters.resolve({}, {}));
-        for (const MetricCheck& check : unit->checks) {
-            const Image test = check.make_test();
-            const Image reference = check.make_reference();
-            const MetricResult result = metric->evaluate({test, reference});
-            const bool holds =
-                result.value && std::abs(*result.value - check.expected) <= check.tolerance;
-            failures += holds ? 0 : 1;
-            fmt::print("{:<8}{:<32}expected {:<14} got {:<22} {}\n", unit->name, check.name,
-                       format_number(check.expected),
-                       result.value ? format_number(*result.value) : "none",
-                       holds ? "ok" : "FAILED");
-        }
+        failures += count_failed_checks(*unit);
     }
     if (failures > 0) {
         throw FailureError("metric --self-test", std::to_string(failures) + " checks failed");
@@ -223,7 +252,8 @@ bool check_gate(const std::string& text, const std::map<std::string, Score>& sco
 
 int evaluate(const MetricFlags& flags) {
     const Registry<MetricUnit> registry = get_units().metrics;
-    const std::vector<const MetricUnit*> metrics = choose_metrics(registry, flags.metrics);
+    const std::vector<const MetricUnit*> metrics =
+        choose_metrics(registry, flags.metrics, flags.self_test);
     if (flags.self_test) {
         return run_self_test(metrics);
     }
@@ -260,7 +290,9 @@ Action add_metric_verb(CLI::App& app) {
     auto flags = std::make_shared<MetricFlags>();
     app.add_option("test", flags->test, "image, or folder of frames");
     app.add_option("reference", flags->reference, "image, or folder of frames with the same names");
-    app.add_option("--metric", flags->metrics, "repeatable; default all")->expected(1)->take_all();
+    app.add_option("--metric", flags->metrics, "repeatable; default all of images")
+        ->expected(1)
+        ->take_all();
     app.add_option("--domain", flags->domain,
                    "srgb, linear, visibility, view; default: the file's own, else srgb for PNG, "
                    "linear for EXR");
