@@ -175,7 +175,8 @@ Action add_run_verb(CLI::App& app, const std::string& command_line) {
     auto flags = std::make_shared<RunFlags>();
     app.add_option("experiment", flags->experiment_file, "EXPERIMENT.toml (planned)");
     app.add_flag("--quick", flags->quick, "one scene, 24 frames");
-    app.add_option("--scene", flags->scenes, "scene by name, or a .gltf or .glb file (repeatable)")
+    app.add_option("--scene", flags->scenes,
+                   "NAME[:key=value,...], or a .gltf or .glb file (repeatable)")
         ->expected(1)
         ->take_all();
     app.add_option("--method", flags->methods, "M[@PRESET][:key=value,...][#label] (repeatable)")

@@ -147,7 +147,19 @@ class ScenePlanner {
     PlanRecord& m_record;
 };
 
-/// Names of the experiment, or all reported scenes; `quick` takes the first that can be opened.
+/// Once, however many specifications of the scene a run has.
+void describe_scene(const SceneUnit& unit, PlanRecord& record) {
+    const bool is_described =
+        std::any_of(record.scenes.begin(), record.scenes.end(),
+                    [&unit](const SceneDescription& scene) { return scene.name == unit.name; });
+    if (!is_described) {
+        record.scenes.push_back(
+            {unit.name, unit.title, unit.stresses, unit.license, unit.content_hash});
+    }
+}
+
+/// Specifications of the experiment, or all reported scenes; `quick` takes the first that can be
+/// opened.
 std::vector<std::string> choose_scenes(const Experiment& experiment, const Units& units) {
     if (!experiment.scenes.empty()) {
         return experiment.scenes;
@@ -186,13 +198,12 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
             name = std::filesystem::absolute(name).lexically_normal().string();
         }
         if (!is_scene_file(name)) {
-            const SceneUnit& unit = units.scenes.find(name);
+            const SceneUnit unit = choose_scene(units.scenes, name).unit;
             if (const std::optional<std::string> obstacle = unit.find_obstacle()) {
                 record.skipped.push_back({name, *obstacle});
                 continue;
             }
-            record.scenes.push_back(
-                {unit.name, unit.title, unit.stresses, unit.license, unit.content_hash});
+            describe_scene(unit, record);
         } else {
             record.scenes.push_back({name, "glTF file of the user", "", "not stated", ""});
         }

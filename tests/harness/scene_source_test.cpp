@@ -1,0 +1,82 @@
+#include "harness/run/scene_source.hpp"
+
+#include "harness/run/plan.hpp"
+#include "scenes/registry.hpp"
+#include "tests/harness/expect_error.hpp"
+
+namespace alcove {
+namespace {
+
+std::unique_ptr<Scene> open_spec(const std::string& spec) {
+    std::vector<std::string> warnings;
+    return open_scene(scenes_registry(), spec, warnings);
+}
+
+TEST(SceneSource, ReadsANameAndItsParameters) {
+    const SceneSpec bare = parse_scene_spec("cathedral");
+    EXPECT_EQ(bare.name, "cathedral");
+    EXPECT_TRUE(bare.overrides.empty());
+    const SceneSpec spec = parse_scene_spec("lifted_box:motion=slide,speed=fast");
+    EXPECT_EQ(spec.name, "lifted_box");
+    ASSERT_EQ(spec.overrides.size(), 2u);
+    EXPECT_EQ(spec.overrides[1].name, "speed");
+    EXPECT_EQ(spec.overrides[1].value, "fast");
+}
+
+TEST(SceneSource, RefusesWhatIsNoSpecification) {
+    expect_error([] { static_cast<void>(parse_scene_spec("lifted_box:")); }, 2, {"--scene"});
+    expect_error([] { static_cast<void>(parse_scene_spec("lifted_box:fast")); }, 2,
+                 {"--scene", "fast", "key=value"});
+    expect_error([] { static_cast<void>(parse_scene_spec("lifted_box:speed=fast,speed=slow")); }, 2,
+                 {"--scene", "speed", "twice"});
+}
+
+TEST(SceneSource, NamesTheNearestOfEachPart) {
+    expect_error([] { static_cast<void>(open_spec("lifted_bx:speed=fast")); }, 2,
+                 {"scenes", "nearest: lifted_box"});
+    expect_error([] { static_cast<void>(open_spec("lifted_box:sped=fast")); }, 2,
+                 {"lifted_box", "nearest: speed"});
+    expect_error([] { static_cast<void>(open_spec("lifted_box:speed=fats")); }, 2,
+                 {"lifted_box", "nearest: fast"});
+    expect_error([] { static_cast<void>(open_spec("cathedral:detail=9")); }, 2,
+                 {"cathedral", "detail", "9", "8"});
+    expect_error([] { static_cast<void>(open_spec("template_scene:detail=1")); }, 2,
+                 {"template_scene", "detail"});
+}
+
+TEST(SceneSource, ParametersReachTheScene) {
+    EXPECT_LT(count_size(*open_spec("cathedral:detail=0.125")).vertices,
+              count_size(*open_spec("cathedral:detail=0.25")).vertices);
+}
+
+TEST(SceneSource, TwoSpecificationsOfOneSceneAreTwoRoundsAndOneDescription) {
+    Experiment experiment;
+    experiment.scenes = {"cathedral:detail=0.125", "template_scene",
+                         "cathedral:seed=2,detail=0.125"};
+    experiment.size = {96, 72};
+    experiment.methods = {parse_method_spec("none")};
+    const PlanRecord plan = make_plan(experiment, get_units()).record;
+    ASSERT_EQ(plan.rounds.size(), 3u);
+    EXPECT_EQ(plan.rounds[0].scene, "cathedral:detail=0.125");
+    EXPECT_EQ(plan.rounds[2].scene, "cathedral:seed=2,detail=0.125");
+    EXPECT_NE(plan.rounds[0].id, plan.rounds[2].id);
+    for (const RoundRecord& round : plan.rounds) {
+        EXPECT_EQ(round.id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-"),
+                  std::string::npos)
+            << round.id;
+    }
+    ASSERT_EQ(plan.scenes.size(), 2u);
+    EXPECT_EQ(plan.scenes[0].name, "cathedral");
+    EXPECT_EQ(plan.scenes[1].name, "template_scene");
+}
+
+TEST(SceneSource, WrongParametersOfAMissingSceneAreStillRefused) {
+    Experiment experiment;
+    experiment.scenes = {"bunny:trun=1"};
+    experiment.methods = {parse_method_spec("none")};
+    expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 2,
+                 {"bunny", "nearest: turn"});
+}
+
+} // namespace
+} // namespace alcove
