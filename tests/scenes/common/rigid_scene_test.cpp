@@ -86,6 +86,14 @@ TEST(RigidScene, LeavesOtherObjectsAtRest) {
     }
 }
 
+TEST(RigidScene, IsExactlyAtItsKeysOnTheirFrames) {
+    RigidSceneContent content = make_content();
+    content.walkthrough.tracks[0].keys = {
+        {30, {0.1, 0, 0}, 0.0}, {31, {0.7, 0, 0}, 0.0}, {32, {0.3, 0, 0}, 0.0}};
+    ASSERT_NE(31 * kStep / kStep, 31.0); // the quotient misses the frame by a bit
+    expect_near(follow(RigidScene(content), 31), {2.7, 0, 5}, 0.0);
+}
+
 TEST(RigidScene, RestsBitForBitBetweenEqualKeys) {
     RigidSceneContent content = make_content();
     content.walkthrough.tracks[0].keys = {
