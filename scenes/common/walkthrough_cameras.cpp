@@ -1,7 +1,7 @@
 #include "scenes/common/walkthrough_cameras.hpp"
 
 #include "core/base/nearest_name.hpp"
-#include "scenes/common/arc_length.hpp"
+#include "scenes/common/constant_speed.hpp"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,8 @@ namespace {
 
 /// Keys nearer to each other than this many metres count as one place.
 constexpr double kNearestKeys = 1e-6;
+/// So do keys nearer than this share of the way before them, which a double could not tell apart.
+constexpr double kShortestChord = 1e-12;
 
 /// Frames [begin, end) between two cuts.
 struct Run {
@@ -130,22 +132,24 @@ class ConstantSpeedCameras {
     /// Takes the keys of the next run off the list.
     [[nodiscard]] std::vector<CameraPose> sample(const Run& run) {
         std::vector<CameraPose> keys{read_end(run.begin)};
-        // The curve's parameter is the sum of chords, so that its speed is near 1 everywhere.
-        std::vector<double> knots{0.0};
-        bool is_complete = run.begin + 1 == run.end;
+        if (run.begin + 1 == run.end) {
+            return keys;
+        }
+        double way = 0.0;
+        bool is_complete = false;
         while (!is_complete) {
             is_complete = m_next < m_place.count() && m_place.at(m_next).has("frame");
-            keys.push_back(is_complete ? read_end(run.end - 1) : read_inner(run.end - 1));
-            const double chord =
-                glm::distance(keys.back().position, keys[keys.size() - 2].position);
-            if (!(chord > kNearestKeys)) {
+            const CameraPose key = is_complete ? read_end(run.end - 1) : read_inner(run.end - 1);
+            const double chord = glm::distance(key.position, keys.back().position);
+            if (!(chord > std::max(kNearestKeys, kShortestChord * way))) {
                 m_place.at(m_next - 1)
                     .get("position")
                     .fail("does not move from the key before", "another position");
             }
-            knots.push_back(knots.back() + chord);
+            way += chord;
+            keys.push_back(key);
         }
-        return keys.size() == 1 ? keys : sample(CameraCurve(knots, keys), run.end - run.begin);
+        return sample_at_constant_speed(keys, run.end - run.begin);
     }
 
     void check_end() const {
@@ -155,17 +159,6 @@ class ConstantSpeedCameras {
     }
 
   private:
-    [[nodiscard]] static std::vector<CameraPose> sample(const CameraCurve& curve, int frames) {
-        const ArcLength way([&curve](double parameter) { return curve.compute_speed(parameter); },
-                            curve.knots());
-        std::vector<CameraPose> poses;
-        for (int frame = 0; frame < frames; ++frame) {
-            const double share = static_cast<double>(frame) / (frames - 1);
-            poses.push_back(curve.evaluate(way.find_parameter(share * way.total())));
-        }
-        return poses;
-    }
-
     [[nodiscard]] CameraPose read_end(int frame) {
         check_count(frame);
         const JsonPlace place = m_place.at(m_next);

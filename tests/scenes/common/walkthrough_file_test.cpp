@@ -238,6 +238,11 @@ TEST(WalkthroughFile, RejectsConstantSpeedWithoutAWay) {
         make_constant_speed(make_place("0", "[1,2,3]") + "," + make_place("100", "[1,2,3]")),
         "keys[1].position: does not move");
     expect_error(replace(text, "[0.5,0,0]", "[0,0,0]"), "keys[1].position: does not move");
+    // A step that is lost in a way of 1e9 m.
+    expect_error(make_constant_speed(make_place("0", "[0,0,0]") + "," +
+                                     make_place("", "[1e9,0,0]") + "," +
+                                     make_place("100", "[1e9,1e-5,0]")),
+                 "keys[2].position: does not move");
     expect_error(make_constant_speed(make_place("0", "[0,0,0]")), "keys: too few keys");
     expect_error(replace(text, R"({"frame":0,)", "{"), "keys[0]: missing key");
     expect_error(replace(text, R"({"frame":100,)", "{"), "keys: too few keys");
