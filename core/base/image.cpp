@@ -12,6 +12,16 @@ Image::Image(ImageSize size, int channels, float fill)
     ALCOVE_ASSERT(size.width > 0 && size.height > 0 && channels > 0, "image sizes are positive");
 }
 
+Image take_channel(const Image& image, int channel) {
+    Image single(image.size(), 1);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            single.at(x, y) = image.at(x, y, channel);
+        }
+    }
+    return single;
+}
+
 bool find_non_finite(const Image& image, PixelPosition& position) {
     const std::span<const float> values = image.values();
     for (std::size_t i = 0; i < values.size(); ++i) {

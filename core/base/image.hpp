@@ -59,6 +59,9 @@ class Image {
     std::vector<float> m_values;
 };
 
+/// One channel of an image with several.
+[[nodiscard]] Image take_channel(const Image& image, int channel);
+
 /// Where the first NaN or infinite value stands.
 struct PixelPosition {
     int x = 0;

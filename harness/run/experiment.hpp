@@ -34,6 +34,8 @@ struct Experiment {
     std::optional<std::string> frames; ///< "A:B"
     bool quick = false;                ///< one scene, 24 frames
     int repeats = 6;
+    /// What errors are measured against.
+    MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     std::string target; ///< over the scene's default; empty: the default
     Precision precision;
     int reference_rays_per_half = 64;

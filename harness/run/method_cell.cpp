@@ -4,7 +4,7 @@ namespace alcove {
 
 MethodCell::MethodCell(gl::Context& context, const MethodUnit& unit, const CellRecord& record,
                        ImageSize size)
-    : m_context(context), m_record(record),
+    : m_context(context), m_record(record), m_size(size),
       m_method(unit.create(context, read_parameters(unit, record))),
       m_requests(m_method->get_requests()) {
     m_method->resize(size);

@@ -25,6 +25,8 @@ class MethodCell {
     [[nodiscard]] Method& method() noexcept { return *m_method; }
     /// The base and what the method declares beyond it.
     [[nodiscard]] ChannelSet channels() const { return kBaseChannels | m_requests.channels; }
+    /// Of its G-buffer, in pixels.
+    [[nodiscard]] Border border() const { return make_border(m_size, m_requests.border); }
     [[nodiscard]] bool needs_geometry() const noexcept { return m_requests.posed_geometry; }
 
     /// Resets GL state, waits for the device, renders. Times are empty for PassTiming::none.
@@ -34,6 +36,7 @@ class MethodCell {
   private:
     gl::Context& m_context;
     const CellRecord& m_record;
+    ImageSize m_size;
     std::unique_ptr<Method> m_method;
     MethodRequests m_requests;
 };

@@ -1,5 +1,6 @@
 #include "harness/run/plan.hpp"
 
+#include "harness/run/history_record.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
 #include "methods/registry.hpp"
@@ -68,9 +69,26 @@ std::vector<SegmentRecord> choose_segments(const Experiment& experiment, int fra
     return experiment.quick ? make_quick_segments(frame_count) : make_default_segments(frame_count);
 }
 
+/// The walkthrough's own events and its cuts, in order.
+std::vector<EventRecord> list_events(const Walkthrough& walkthrough) {
+    std::vector<EventRecord> events;
+    for (const WalkthroughEvent& event : walkthrough.events) {
+        events.push_back({event.frame, event.label});
+    }
+    for (const int cut : walkthrough.cuts) {
+        if (cut > 0) {
+            events.push_back({cut, "cut"});
+        }
+    }
+    std::stable_sort(events.begin(), events.end(),
+                     [](const EventRecord& a, const EventRecord& b) { return a.frame < b.frame; });
+    return events;
+}
+
 void describe_units(const Units& units, PlanRecord& record) {
     std::set<std::string> methods;
     for (const RoundRecord& round : record.rounds) {
+        methods.insert(round.reference.method);
         for (const CellRecord& cell : round.cells) {
             methods.insert(cell.method);
         }
@@ -84,8 +102,13 @@ void describe_units(const Units& units, PlanRecord& record) {
             record.metrics.push_back({unit.name, unit.title, unit.unit, unit.definition,
                                       unit.blind_to,
                                       unit.domain == MetricDomain::values ? "values" : "view",
+                                      unit.is_temporal() ? "temporal" : "image",
                                       unit.direction == Direction::lower_is_better});
         }
+    }
+    for (const HistoryNumberInfo& number : list_history_numbers()) {
+        record.metrics.push_back({number.name, number.title, number.unit, number.definition,
+                                  "whether the history was right", "values", "history", true});
     }
 }
 
@@ -110,6 +133,11 @@ class ScenePlanner {
         round.segments =
             choose_segments(m_experiment, static_cast<int>(scene.get_walkthrough().cameras.size()));
         round.image_frames = choose_image_frames(round.segments);
+        round.film = choose_film(round.segments);
+        round.events = list_events(scene.get_walkthrough());
+        round.reference = make_cell(m_units.methods.find(m_experiment.reference.method),
+                                    m_experiment.reference, target);
+        round.reference.id = "reference";
         const SceneSize size = count_size(scene);
         round.scene_vertices = size.vertices;
         round.scene_triangles = size.triangles;

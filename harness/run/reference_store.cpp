@@ -14,16 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Image take_channel(const Image& image, int channel) {
-    Image single(image.size(), 1);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            single.at(x, y) = image.at(x, y, channel);
-        }
-    }
-    return single;
-}
-
 Image join_channels(const Image& a, const Image& b) {
     Image joined(a.size(), 2);
     for (int y = 0; y < a.height(); ++y) {

@@ -41,7 +41,6 @@ void run_experiment(RunFolder& run, gl::Context& context, gl::TimerMode timer_mo
         events.progress(share(0.0), round.scene + ": opening");
         std::vector<std::string> ignored; // said when the plan was made
         const std::unique_ptr<Scene> scene = open_scene(units.scenes, round.scene, ignored);
-        RoundRunner runner(context, timer_mode, units, plan, round, *scene, run.path());
         RoundEvents round_events;
         round_events.progress = [&](std::size_t done, std::size_t all) {
             const bool timing = done * static_cast<std::size_t>(plan.repeats + 1) <=
@@ -54,7 +53,8 @@ void run_experiment(RunFolder& run, gl::Context& context, gl::TimerMode timer_mo
                 events.update(summarise_first_repeat(round, samples));
             }
         };
-        const RoundResult result = runner.run(round_events);
+        const RoundResult result =
+            run_round(context, timer_mode, units, plan, round, *scene, run.path(), round_events);
         run.finish_round(round.id, result.samples, result.metrics, result.done);
         events.update({});
     }

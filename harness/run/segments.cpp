@@ -4,6 +4,7 @@
 #include "core/base/text.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace alcove {
 namespace {
@@ -57,6 +58,18 @@ SegmentRecord parse_frames(std::string_view text, int frame_count) {
         throw InputError("--frames", "out of range", text, expected);
     }
     return {static_cast<int>(begin), static_cast<int>(end)};
+}
+
+SegmentRecord choose_film(const std::vector<SegmentRecord>& segments) {
+    std::vector<SegmentRecord> bursts;
+    std::copy_if(segments.begin(), segments.end(), std::back_inserter(bursts),
+                 [](const SegmentRecord& segment) { return !segment.is_single(); });
+    if (bursts.empty()) {
+        return {};
+    }
+    SegmentRecord film = bursts[bursts.size() / 2];
+    film.end = std::min(film.end, film.begin + kMostFilmFrames);
+    return film;
 }
 
 std::vector<int> choose_image_frames(const std::vector<SegmentRecord>& segments) {

@@ -19,6 +19,11 @@ namespace alcove {
 /// Reads "A:B", a half-open range with 0 <= A < B <= frame_count. Throws InputError.
 [[nodiscard]] SegmentRecord parse_frames(std::string_view text, int frame_count);
 
+/// The burst that is kept as a film: the middle one of the bursts, its first kMostFilmFrames
+/// frames; empty where there is no burst.
+inline constexpr int kMostFilmFrames = 64;
+[[nodiscard]] SegmentRecord choose_film(const std::vector<SegmentRecord>& segments);
+
 /// Frames whose pictures are kept: all singles, or, where there are none, up to 4 spread over the
 /// segments.
 [[nodiscard]] std::vector<int> choose_image_frames(const std::vector<SegmentRecord>& segments);

@@ -20,7 +20,7 @@ namespace alcove {
 
 /// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
 /// refused by name.
-inline constexpr int kRunSchemaVersion = 1;
+inline constexpr int kRunSchemaVersion = 2;
 
 /// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
 /// Intervals and gates use the envelope.
@@ -95,6 +95,12 @@ struct CellRecord {
     std::string effects = "all";
 };
 
+/// Something that happens in a walkthrough: "cut", "box lifts".
+struct EventRecord {
+    int frame = 0;
+    std::string label;
+};
+
 struct RoundRecord {
     std::string id; ///< safe as a folder name
     std::string scene;
@@ -105,6 +111,10 @@ struct RoundRecord {
     std::string precision; ///< "raster_depth=32F,eye_depth=32F"
     std::vector<SegmentRecord> segments;
     std::vector<int> image_frames; ///< frames whose pictures are kept
+    /// Frames of one burst whose pictures are all kept, to be played as a film; empty: begin = end.
+    SegmentRecord film;
+    std::vector<EventRecord> events; ///< ascending in frame
+    CellRecord reference; ///< what errors are measured against
     std::vector<CellRecord> cells; ///< the anchor twice and up to 8 methods
     std::size_t scene_vertices = 0;
     std::size_t scene_triangles = 0;
@@ -118,6 +128,9 @@ struct MetricDescription {
     std::string definition;
     std::string blind_to;
     std::string domain; ///< "values" or "view"
+    /// "image": of one frame; "temporal": of a sequence; "history": what a method says of its own
+    /// history, neither good nor bad.
+    std::string kind = "image";
     bool lower_is_better = true;
 };
 
@@ -191,7 +204,8 @@ struct RoundDone {
     double wall_s = 0.0;
     double gbuffer_s = 0.0; ///< parts of the wall time
     double passes_s = 0.0;
-    double metrics_s = 0.0;
+    double metrics_s = 0.0;  ///< of single images
+    double temporal_s = 0.0; ///< metrics over time with the geometry they need, history heatmaps
     double reference_s = 0.0; ///< tracing or reading the reference
     double images_s = 0.0;    ///< writing pictures
     bool reference_cached = false;

@@ -43,6 +43,12 @@ void visit(V& v, CellRecord& r) {
 }
 
 template <class V>
+void visit(V& v, EventRecord& r) {
+    v("frame", r.frame);
+    v("label", r.label);
+}
+
+template <class V>
 void visit(V& v, RoundRecord& r) {
     v("id", r.id);
     v("scene", r.scene);
@@ -53,6 +59,9 @@ void visit(V& v, RoundRecord& r) {
     v("precision", r.precision);
     v("segments", r.segments);
     v("image_frames", r.image_frames);
+    v("film", r.film);
+    v("events", r.events);
+    v("reference", r.reference);
     v("cells", r.cells);
     v("scene_vertices", r.scene_vertices);
     v("scene_triangles", r.scene_triangles);
@@ -67,6 +76,7 @@ void visit(V& v, MetricDescription& r) {
     v("definition", r.definition);
     v("blind_to", r.blind_to);
     v("domain", r.domain);
+    v("kind", r.kind);
     v("lower_is_better", r.lower_is_better);
 }
 
@@ -147,6 +157,7 @@ void visit(V& v, DoneFile& r) {
     v("gbuffer_s", r.done.gbuffer_s);
     v("passes_s", r.done.passes_s);
     v("metrics_s", r.done.metrics_s);
+    v("temporal_s", r.done.temporal_s);
     v("reference_s", r.done.reference_s);
     v("images_s", r.done.images_s);
     v("reference_cached", r.done.reference_cached);

@@ -58,9 +58,8 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     planned.image_frames = choose_image_frames(planned.segments);
     const SceneUnit& scene = all.scenes.find("template_scene");
     m_scene = std::make_unique<CutScene>(scene.open(scene.parameters.resolve({}, {})));
-    RoundRunner runner(context(), gl::TimerMode::fenced_wall, all, m_plan, planned, *m_scene,
-                       m_folder.path());
-    m_result = runner.run(events);
+    m_result = run_round(context(), gl::TimerMode::fenced_wall, all, m_plan, planned, *m_scene,
+                         m_folder.path(), events);
 }
 
 std::vector<SampleRow> RoundRunnerTest::find_samples(const std::string& cell_id,

@@ -1,0 +1,77 @@
+#pragma once
+// The capture replay of a round (DESIGN 3.2): takes images, measures them against truth, and stores
+// no time. Bursts are followed as sequences: metrics over time, histories, a film.
+
+#include "core/contract/temporal_metric.hpp"
+#include "harness/run/history_record.hpp"
+#include "harness/run/sequence_truth.hpp"
+#include "harness/run/truth.hpp"
+
+#include <filesystem>
+#include <functional>
+
+namespace alcove {
+
+class RoundCapture {
+  public:
+    /// Rows and wall times go where they are told to; pictures below `run_folder`.
+    RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, RoundDone& done,
+                 std::filesystem::path run_folder);
+
+    /// All frames cold, then the singles converged. `frame_done` is called after each cold frame.
+    void run(const std::function<void()>& frame_done);
+
+  private:
+    /// One cell's way through a sequence.
+    struct CellSequence {
+        std::vector<std::pair<const MetricUnit*, std::unique_ptr<TemporalMetric>>> metrics;
+        HistoryRecord history;
+        std::vector<Image> flicker; ///< |D| of each frame of the film
+    };
+    /// What a cell left for one frame.
+    struct CellImages {
+        Image visibility;
+        std::optional<Image> history_state;
+        std::string hash;
+    };
+    /// A frame that is being captured, and with what state.
+    struct Shot {
+        const RoundFrame& frame;
+        SampleState state;
+        const Truth& truth;
+        bool is_in_sequence;
+        bool is_last; ///< of its sequence
+        bool is_film;
+        bool keeps_pictures;
+    };
+
+    void capture_frame(std::size_t index);
+    void capture_converged(const RoundFrame& single);
+    [[nodiscard]] Truth get_truth(const FrameView& view);
+    [[nodiscard]] CellImages take_images(MethodCell& cell, MethodOutput& output);
+    void measure_images(const MethodCell& cell, const CellImages& images, const Shot& shot);
+    void measure_sequence(const MethodCell& cell, const CellImages& images, const Shot& shot);
+    void add_history_rows(const MethodCell& cell, const CellImages& images, const Shot& shot,
+                          const Image* age);
+    void write_pictures(const MethodCell& cell, const CellImages& images,
+                        const MethodOutput& output, const Shot& shot);
+    void write_film(const MethodCell& cell, const CellImages& images, const Shot& shot);
+    void write_reference_pictures(const Shot& shot);
+    void write_picture(const std::string& cell, int frame, const std::string& picture,
+                       const Image& codes);
+    [[nodiscard]] MetricRow make_row(const MethodCell& cell, const CellImages& images,
+                                     const Shot& shot, const std::string& metric) const;
+    [[nodiscard]] bool is_single(const RoundFrame& frame) const;
+
+    RoundStage& m_stage;
+    std::vector<MetricRow>& m_rows;
+    RoundDone& m_done;
+    std::filesystem::path m_run_folder;
+    std::unique_ptr<TruthSource> m_truth;
+    SequenceTruth m_sequence;
+    std::vector<std::pair<const MetricUnit*, std::unique_ptr<Metric>>> m_metrics;
+    std::vector<CellSequence> m_cells; ///< one a cell of the stage
+    bool m_has_singles;
+};
+
+} // namespace alcove

@@ -1,0 +1,191 @@
+#include "harness/run/round_timing.hpp"
+
+#include "core/base/hash.hpp"
+#include "harness/run/wall_time.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+namespace alcove {
+namespace {
+
+/// Frames timed once a method's history has converged (DESIGN 3.5).
+constexpr int kConvergedFrames = 8;
+
+/// The cells' order in one frame of one repeat: a permutation that depends on the seed alone.
+std::vector<std::size_t> shuffle_order(std::size_t count, std::uint64_t seed, int repeat,
+                                       int frame) {
+    Hasher hasher;
+    hasher.add(seed).add(repeat).add(frame);
+    std::mt19937_64 random(hasher.finish64());
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    for (std::size_t i = count; i > 1; --i) {
+        std::swap(order[i - 1], order[random() % i]);
+    }
+    return order;
+}
+
+std::string name_input(const MethodCell& cell) {
+    std::string name = name_extra_channels(cell.channels());
+    if (cell.border() != Border{}) {
+        name += name.empty() ? "border" : "+border";
+    }
+    return "input/" + name;
+}
+
+} // namespace
+
+void RoundTiming::warm_up() {
+    m_stage.set_frame(m_stage.frames().front().view);
+    m_stage.render_gbuffers();
+    for (MethodCell& cell : m_stage.cells()) {
+        CellTimes times;
+        const MethodOutput output =
+            cell.render(m_stage.make_inputs(cell), PassTiming::none, m_stage.timer(), times);
+        m_stage.compose(output, PassTiming::none);
+        m_stage.gl().Finish();
+        m_stage.context().check_errors();
+    }
+}
+
+void RoundTiming::add_sample(const std::string& cell, const RoundFrame& frame, int repeat,
+                             SampleKind kind, SampleState state, const std::string& pass,
+                             std::int64_t time_ns) {
+    SampleRow row;
+    row.round = m_stage.round().id;
+    row.cell = cell;
+    row.segment = frame.segment;
+    row.frame = frame.view.index;
+    row.repeat = repeat;
+    row.kind = kind;
+    row.state = state;
+    row.pass = pass;
+    row.time_ns = time_ns;
+    m_samples.push_back(std::move(row));
+}
+
+void RoundTiming::add_cell_samples(const MethodCell& cell, const RoundFrame& frame, int repeat,
+                                   SampleState state, PassTiming timing, const CellTimes& times) {
+    if (timing == PassTiming::envelope) {
+        add_sample(cell.record().id, frame, repeat, SampleKind::envelope, state, "envelope",
+                   times.pass_ns.front());
+        return;
+    }
+    ALCOVE_ASSERT(times.passes.size() == times.pass_ns.size(), "one time a pass");
+    for (std::size_t i = 0; i < times.passes.size(); ++i) {
+        add_sample(cell.record().id, frame, repeat, SampleKind::divided, state, times.passes[i],
+                   times.pass_ns[i]);
+    }
+}
+
+void RoundTiming::time_gbuffers(const RoundFrame& frame, int repeat) {
+    const WallTime wall(m_done.gbuffer_s);
+    std::int64_t base_ns = 0;
+    for (const GBufferKey& key : m_stage.list_gbuffers()) {
+        m_stage.render_gbuffer(key, PassTiming::divided);
+        const std::int64_t time_ns = m_stage.timer().collect().front();
+        if (key == kBaseGBuffer) {
+            base_ns = time_ns;
+            add_sample("harness", frame, repeat, SampleKind::divided, SampleState::cold,
+                       "input/base", time_ns);
+            continue;
+        }
+        for (const MethodCell& cell : m_stage.cells()) {
+            if (RoundStage::get_key(cell) == key) {
+                add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
+                           name_input(cell), time_ns - base_ns);
+            }
+        }
+    }
+}
+
+void RoundTiming::time_frame(const RoundFrame& frame, int repeat) {
+    m_stage.set_frame(frame.view);
+    time_gbuffers(frame, repeat);
+    const WallTime wall(m_done.passes_s);
+    const bool divided = (repeat + frame.view.index) % 2 != 0;
+    std::vector<MethodCell>& cells = m_stage.cells();
+    for (const std::size_t index :
+         shuffle_order(cells.size(), m_stage.plan().shuffle_seed, repeat, frame.view.index)) {
+        MethodCell& cell = cells[index];
+        const PassTiming timing = !cell.has_passes() ? PassTiming::none
+                                  : divided          ? PassTiming::divided
+                                                     : PassTiming::envelope;
+        CellTimes times;
+        const MethodOutput output =
+            cell.render(m_stage.make_inputs(cell), timing, m_stage.timer(), times);
+        if (timing != PassTiming::none) {
+            add_cell_samples(cell, frame, repeat, SampleState::cold, timing, times);
+        }
+        if (cell.record().role == CellRole::method) {
+            m_stage.compose(output, PassTiming::divided);
+            add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
+                       "harness/compose", m_stage.timer().collect().front());
+        }
+    }
+}
+
+void RoundTiming::time_repeat(int repeat, const std::function<void()>& frame_done) {
+    for (const RoundFrame& frame : m_stage.frames()) {
+        if (!frame.view.history_valid) {
+            for (MethodCell& cell : m_stage.cells()) {
+                cell.method().reset_history();
+            }
+        }
+        time_frame(frame, repeat);
+        frame_done();
+    }
+    time_converged(repeat);
+    m_stage.context().check_errors();
+}
+
+void RoundTiming::warm_converged_cells() {
+    const std::vector<RoundFrame> singles = m_stage.list_singles();
+    if (singles.empty()) {
+        return;
+    }
+    std::vector<RoundFrame> ends{singles.front()};
+    if (singles.size() > 1) {
+        ends.push_back(singles.back());
+    }
+    const WallTime wall(m_done.passes_s);
+    for (const RoundFrame& single : ends) {
+        for (const MethodCell& cold : m_stage.cells()) {
+            const CellRecord& record = cold.record();
+            if (record.warm_frames == 0) {
+                continue;
+            }
+            ConvergedCell converged{
+                {single.segment, hold(single.view)},
+                std::make_unique<MethodCell>(m_stage.context(),
+                                             m_stage.units().methods.find(record.method), record,
+                                             m_stage.size())};
+            m_stage.warm_up(*converged.cell, single.view);
+            m_converged.push_back(std::move(converged));
+        }
+    }
+}
+
+void RoundTiming::time_converged(int repeat) {
+    if (repeat == 0) {
+        warm_converged_cells();
+    }
+    const WallTime wall(m_done.passes_s);
+    for (const ConvergedCell& converged : m_converged) {
+        m_stage.set_frame(converged.frame.view);
+        m_stage.render_gbuffer(RoundStage::get_key(*converged.cell));
+        for (int i = 0; i < kConvergedFrames; ++i) {
+            const PassTiming timing =
+                (repeat + i) % 2 != 0 ? PassTiming::divided : PassTiming::envelope;
+            CellTimes times;
+            static_cast<void>(converged.cell->render(m_stage.make_inputs(*converged.cell), timing,
+                                                     m_stage.timer(), times));
+            add_cell_samples(*converged.cell, converged.frame, repeat, SampleState::converged,
+                             timing, times);
+        }
+    }
+}
+
+} // namespace alcove

@@ -1,0 +1,71 @@
+#include "harness/run/truth.hpp"
+
+namespace alcove {
+namespace {
+
+constexpr const char* kRayTraced = "reference_ray_traced";
+
+class RayTracedTruth final : public TruthSource {
+  public:
+    explicit RayTracedTruth(RoundStage& stage)
+        : m_stage(stage),
+          m_store(get_cache_folder(), stage.units().methods.find(kRayTraced).content_hash) {
+        m_settings.target = parse_target(stage.round().target, {});
+        m_settings.rays_per_half = stage.plan().reference_rays_per_half;
+    }
+
+    Truth get(const FrameView& view) override {
+        m_stage.set_frame(view);
+        // Noise that stood still on the screen would cancel in differences over time.
+        m_settings.seed = static_cast<std::uint32_t>(view.index);
+        Truth truth;
+        truth.halves = m_store.get(m_stage.scene(), view, m_settings, truth.was_cached);
+        truth.mean = compute_mean(*truth.halves);
+        return truth;
+    }
+    void prune() override { m_store.prune(); }
+
+  private:
+    RoundStage& m_stage;
+    ReferenceStore m_store;
+    TraceSettings m_settings;
+};
+
+/// Every frame stands alone: the method starts anew and, if it has a history, converges.
+class MethodTruth final : public TruthSource {
+  public:
+    explicit MethodTruth(RoundStage& stage)
+        : m_stage(stage),
+          m_cell(stage.context(), stage.units().methods.find(stage.round().reference.method),
+                 stage.round().reference, stage.size()) {
+        stage.add_gbuffer(RoundStage::get_key(m_cell));
+    }
+
+    Truth get(const FrameView& view) override {
+        m_stage.warm_up(m_cell, view);
+        CellTimes times;
+        const MethodOutput output =
+            m_cell.render(m_stage.make_inputs(m_cell), PassTiming::none, m_stage.timer(), times);
+        ALCOVE_ASSERT(output.visibility != nullptr, "a reference gives visibility");
+        Truth truth;
+        truth.mean = gl::read_texture(m_stage.gl(), *output.visibility, 1);
+        m_stage.context().check_errors();
+        m_stage.set_frame(view);
+        return truth;
+    }
+
+  private:
+    RoundStage& m_stage;
+    MethodCell m_cell;
+};
+
+} // namespace
+
+std::unique_ptr<TruthSource> make_truth_source(RoundStage& stage) {
+    if (stage.round().reference.method == kRayTraced) {
+        return std::make_unique<RayTracedTruth>(stage);
+    }
+    return std::make_unique<MethodTruth>(stage);
+}
+
+} // namespace alcove
