@@ -1,10 +1,12 @@
 #include "reports/analysis/analysis.hpp"
 
 #include "reports/analysis/metrics.hpp"
+#include "reports/analysis/sequences.hpp"
 #include "reports/analysis/series.hpp"
 #include "reports/record/record_csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace alcove {
@@ -17,6 +19,8 @@ constexpr const char* kComposePass = "harness/compose";
 struct CellSeries {
     Series envelope;
     Series converged;
+    /// Held frames rendered so far, by segment and repeat.
+    std::map<std::pair<int, int>, int> held;
     Series inputs;
     Series compose;
     Series divided; ///< sum of its own passes
@@ -32,12 +36,18 @@ bool is_input(const std::string& pass) {
 void add_row(CellSeries& cell, const SampleRow& row) {
     const FrameKey frame{row.segment, row.frame};
     const auto add = [&](Series& series) { series.add(frame, row.repeat, row.time_ns); };
-    if (row.kind == SampleKind::envelope) {
-        add(row.state == SampleState::cold ? cell.envelope : cell.converged);
+    if (row.state == SampleState::converged) {
+        // Its times are envelopes, their passes are not tabled. A single is rendered several times
+        // in a repeat, each of them a frame of its own.
+        if (row.kind == SampleKind::envelope) {
+            const int rendering = cell.held[{row.segment, row.repeat}]++;
+            cell.converged.add({row.segment, rendering}, row.repeat, row.time_ns);
+        }
         return;
     }
-    if (row.state == SampleState::converged) {
-        return; // converged times are envelopes; their passes are not tabled
+    if (row.kind == SampleKind::envelope) {
+        add(cell.envelope);
+        return;
     }
     if (row.pass == kComposePass) {
         add(cell.compose);
@@ -79,6 +89,17 @@ std::map<int, double> combine_repeats(const std::map<int, double>& a,
             result[repeat] = combine(value, found->second);
         }
     }
+    return result;
+}
+
+/// a / b of the repeats' medians, where that is finite.
+std::map<int, double> divide_repeats(const Series& a, const Series& b) {
+    std::map<int, double> result =
+        combine_repeats(a.compute_repeat_medians_ms(), b.compute_repeat_medians_ms(),
+                        [](double x, double y) { return x / y; });
+    std::erase_if(result, [](const auto& entry) {
+        return !(std::abs(entry.second) < std::numeric_limits<double>::infinity());
+    });
     return result;
 }
 
@@ -133,6 +154,7 @@ CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, co
     cell.time_ms = estimate_time_ms(series.envelope);
     cell.converged_time_ms =
         record.warm_frames > 0 ? estimate_time_ms(series.converged) : cell.time_ms;
+    cell.converged_share = estimate_repeats(divide_repeats(series.converged, series.envelope));
     if (record.role != CellRole::anchor && !series.envelope.empty()) {
         cell.ratio = estimate_ratio(series.envelope, anchor);
     }
@@ -142,13 +164,7 @@ CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, co
     cell.has_cached_input = std::any_of(series.cached.begin(), series.cached.end(),
                                         [](const auto& entry) { return entry.second; });
     cell.passes = analyze_passes(series, tick_ns);
-    std::map<int, double> coverage = combine_repeats(
-        series.divided.compute_repeat_medians_ms(), series.envelope.compute_repeat_medians_ms(),
-        [](double divided, double envelope) { return divided / envelope; });
-    std::erase_if(coverage, [](const auto& entry) {
-        return !(entry.second < std::numeric_limits<double>::infinity());
-    });
-    cell.coverage = estimate_repeats(coverage);
+    cell.coverage = estimate_repeats(divide_repeats(series.divided, series.envelope));
     analyze_frames(cell, series.envelope);
     return cell;
 }
@@ -186,8 +202,17 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
         result.minimum_detectable_effect = compute_minimum_detectable_effect(*result.aa_ratio);
     }
     analyze_metrics(result, metrics, run.plan());
+    analyze_sequences(result, metrics, run.plan());
     mark_front(result, run.plan());
     return result;
+}
+
+const MetricAnalysis* find_measured(const std::vector<MetricAnalysis>& table,
+                                    const std::string& metric) {
+    const auto found = std::find_if(table.begin(), table.end(), [&](const MetricAnalysis& m) {
+        return m.metric == metric && m.frames > 0;
+    });
+    return found == table.end() ? nullptr : &*found;
 }
 
 template <class Row>
@@ -202,11 +227,16 @@ std::map<std::string, std::vector<Row>> group_by_round(std::vector<Row> rows) {
 } // namespace
 
 const MetricAnalysis* CellAnalysis::find(SampleState state, const std::string& metric) const {
-    const std::vector<MetricAnalysis>& table = state == SampleState::cold ? cold : converged;
-    const auto found = std::find_if(table.begin(), table.end(), [&](const MetricAnalysis& m) {
-        return m.metric == metric && m.frames > 0;
-    });
-    return found == table.end() ? nullptr : &*found;
+    return find_measured(state == SampleState::cold ? cold : converged, metric);
+}
+
+const MetricAnalysis* CellAnalysis::find_temporal(const std::string& metric) const {
+    return find_measured(temporal, metric);
+}
+
+const MetricAnalysis* CellAnalysis::find_history(SampleState state,
+                                                 const std::string& number) const {
+    return find_measured(state == SampleState::cold ? history_cold : history_converged, number);
 }
 
 const MetricDescription* RunAnalysis::find_metric(const std::string& name) const {

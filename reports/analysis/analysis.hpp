@@ -37,7 +37,7 @@ struct PassAnalysis {
 /// Passes shorter than this many ticks are marked (DESIGN 3.4).
 inline constexpr double kResolvedTicks = 50.0;
 
-/// One metric of one cell over the frames of a table.
+/// One metric (of any kind) or history number of one cell over the frames of a table.
 struct MetricAnalysis {
     std::string metric;
     std::size_t frames = 0;    ///< with a value; the means are over these
@@ -64,6 +64,7 @@ struct FrameTime {
     std::size_t n = 0;
 };
 
+/// A value of any kind of metric on one frame.
 struct FrameError {
     int segment = 0;
     int frame = 0;
@@ -79,29 +80,39 @@ struct CellAnalysis {
     std::optional<Estimate> ratio;
     std::optional<Estimate> time_ms;           ///< AO alone, cold
     std::optional<Estimate> converged_time_ms; ///< equal to time_ms if warm_frames is 0
+    /// converged_time_ms / time_ms, repeat by repeat; only for methods with a history.
+    std::optional<Estimate> converged_share;
     std::optional<Estimate> input_ms; ///< none if it reads nothing beyond the base G-buffer
     std::optional<Estimate> compose_ms;
     std::optional<Estimate> total_ms; ///< base + input + AO + compose, repeat by repeat
     bool has_cached_input = false;
     std::optional<Percentiles> content;
     std::optional<Percentiles> noise;
-    std::vector<PassAnalysis> passes;      ///< in the order they were recorded, inputs first
-    std::optional<Estimate> coverage;      ///< sum of divided passes / envelope
-    std::vector<MetricAnalysis> cold;      ///< bursts, in the plan's order of metrics
-    std::vector<MetricAnalysis> converged; ///< singles
+    std::vector<PassAnalysis> passes;         ///< in the order they were recorded, inputs first
+    std::optional<Estimate> coverage;         ///< sum of divided passes / envelope
+    std::vector<MetricAnalysis> cold;         ///< bursts, in the plan's order of metrics
+    std::vector<MetricAnalysis> converged;    ///< singles
+    std::vector<MetricAnalysis> temporal;     ///< metrics over time: bursts, cold
+    std::vector<MetricAnalysis> history_cold; ///< what it says of its history: bursts
+    std::vector<MetricAnalysis> history_converged; ///< ... singles
     std::vector<FrameTime> frame_times;
     std::vector<FrameError> frame_errors; ///< cold, all segments
     bool is_on_front = false; ///< no other method of the round is both faster and more accurate
 
-    /// Nothing if the metric has no frame with a value.
+    /// An image metric. Nothing if it has no frame with a value; so for the next two.
     [[nodiscard]] const MetricAnalysis* find(SampleState state, const std::string& metric) const;
+    [[nodiscard]] const MetricAnalysis* find_temporal(const std::string& metric) const;
+    [[nodiscard]] const MetricAnalysis* find_history(SampleState state,
+                                                     const std::string& number) const;
 };
 
 struct RoundAnalysis {
     RoundRecord round;
     RoundDone done;
-    std::vector<CellAnalysis> cells;  ///< in the plan's order
-    std::vector<std::string> metrics; ///< those with rows, in the plan's order
+    std::vector<CellAnalysis> cells;           ///< in the plan's order
+    std::vector<std::string> metrics;          ///< image metrics with rows, in the plan's order
+    std::vector<std::string> temporal_metrics; ///< so for metrics over time
+    std::vector<std::string> history_numbers;  ///< and for numbers of histories
     std::string front_metric;         ///< rmse if measured, else the first; empty if there is none
     std::optional<Estimate> base_ms;  ///< base G-buffer
     std::optional<Estimate> aa_ratio; ///< the anchor against itself

@@ -1,79 +1,12 @@
 #include "reports/analysis/metrics.hpp"
 
 #include "core/base/statistics.hpp"
+#include "reports/analysis/metric_table.hpp"
 
 #include <algorithm>
 
 namespace alcove {
 namespace {
-
-bool is_lower_better(const PlanRecord& plan, const std::string& metric) {
-    const auto found = std::find_if(plan.metrics.begin(), plan.metrics.end(),
-                                    [&](const MetricDescription& m) { return m.name == metric; });
-    return found == plan.metrics.end() || found->lower_is_better;
-}
-
-std::optional<double> mean_of_all(const std::vector<std::optional<double>>& values) {
-    std::vector<double> present;
-    for (const std::optional<double>& value : values) {
-        if (!value) {
-            return std::nullopt;
-        }
-        present.push_back(*value);
-    }
-    return present.empty() ? std::nullopt : std::optional<double>(compute_mean(present));
-}
-
-MetricAnalysis summarize(const std::string& metric, const std::vector<const MetricRow*>& rows,
-                         bool lower_is_better) {
-    MetricAnalysis result;
-    result.metric = metric;
-    std::vector<double> values;
-    std::vector<std::optional<double>> debiased;
-    std::vector<std::optional<double>> floors;
-    for (const MetricRow* row : rows) {
-        if (!row->value) {
-            ++result.undefined;
-            result.note = result.note.empty() ? row->note : result.note;
-            continue;
-        }
-        values.push_back(*row->value);
-        debiased.push_back(row->debiased);
-        floors.push_back(row->floor);
-    }
-    result.frames = values.size();
-    if (values.empty()) {
-        return result;
-    }
-    result.value = compute_mean(values);
-    result.minimum = *std::min_element(values.begin(), values.end());
-    result.maximum = *std::max_element(values.begin(), values.end());
-    result.debiased = mean_of_all(debiased);
-    result.floor = mean_of_all(floors);
-    if (result.floor) {
-        result.is_below_floor =
-            lower_is_better ? result.shown() < *result.floor : result.shown() > *result.floor;
-    }
-    return result;
-}
-
-/// Metrics with rows: the plan's order first, then those it does not describe.
-std::vector<std::string> list_metrics(const std::vector<MetricRow>& rows, const PlanRecord& plan) {
-    std::vector<std::string> measured;
-    for (const MetricRow& row : rows) {
-        if (std::find(measured.begin(), measured.end(), row.metric) == measured.end()) {
-            measured.push_back(row.metric);
-        }
-    }
-    const auto rank = [&](const std::string& name) {
-        return std::find_if(plan.metrics.begin(), plan.metrics.end(),
-                            [&](const MetricDescription& m) { return m.name == name; }) -
-               plan.metrics.begin();
-    };
-    std::stable_sort(measured.begin(), measured.end(),
-                     [&](const std::string& a, const std::string& b) { return rank(a) < rank(b); });
-    return measured;
-}
 
 void summarize_floor(RoundAnalysis& round, bool lower_is_better) {
     std::vector<double> floors;
@@ -99,7 +32,7 @@ void summarize_floor(RoundAnalysis& round, bool lower_is_better) {
 
 void analyze_metrics(RoundAnalysis& round, const std::vector<MetricRow>& rows,
                      const PlanRecord& plan) {
-    round.metrics = list_metrics(rows, plan);
+    round.metrics = list_measured(rows, plan, "image");
     const auto is_single = [&](int segment) {
         return round.round.segments[static_cast<std::size_t>(segment)].is_single();
     };
@@ -116,9 +49,7 @@ void analyze_metrics(RoundAnalysis& round, const std::vector<MetricRow>& rows,
                     continue;
                 }
                 if (row.state == SampleState::cold) {
-                    cell.frame_errors.push_back({row.segment, row.frame, metric,
-                                                 row.debiased ? row.debiased : row.value,
-                                                 row.floor});
+                    cell.frame_errors.push_back(make_frame_error(row));
                 }
                 if (row.state == SampleState::cold && (!has_bursts || !is_single(row.segment))) {
                     cold.push_back(&row);
@@ -128,8 +59,8 @@ void analyze_metrics(RoundAnalysis& round, const std::vector<MetricRow>& rows,
                 }
             }
             const bool lower = is_lower_better(plan, metric);
-            cell.cold.push_back(summarize(metric, cold, lower));
-            cell.converged.push_back(summarize(metric, converged, lower));
+            cell.cold.push_back(summarize_metric(metric, cold, lower));
+            cell.converged.push_back(summarize_metric(metric, converged, lower));
         }
     }
     if (!round.metrics.empty()) {

@@ -1,5 +1,5 @@
 #pragma once
-// Error tables of one round: which frames stand in which column, and their means.
+// Image errors of one round: which frames stand in which column, and their means.
 
 #include "reports/analysis/analysis.hpp"
 

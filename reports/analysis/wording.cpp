@@ -40,6 +40,13 @@ std::string list_front(const RoundAnalysis& round) {
     return text;
 }
 
+std::string format_scaled(const MetricAnalysis& error, double scale) {
+    if (error.is_below_floor) {
+        return (error.shown() < *error.floor ? "< " : "> ") + format_rounded(scale * *error.floor);
+    }
+    return format_rounded(scale * error.shown());
+}
+
 } // namespace
 
 EstimateText format_estimate(const Estimate& estimate) {
@@ -59,10 +66,15 @@ std::string describe_estimate(const Estimate& estimate) {
 }
 
 std::string format_error(const MetricAnalysis& error) {
-    if (error.is_below_floor) {
-        return (error.shown() < *error.floor ? "< " : "> ") + format_rounded(*error.floor);
-    }
-    return format_rounded(error.shown());
+    return format_scaled(error, 1.0);
+}
+
+std::string format_codes(const MetricAnalysis& error) {
+    return format_scaled(error, 255.0);
+}
+
+std::string count_rounds(std::size_t rounds) {
+    return fmt::format("{} round{}", rounds, rounds == 1 ? "" : "s");
 }
 
 std::string format_percent(double fraction) {

@@ -20,6 +20,14 @@ struct EstimateText {
 /// "0.0452", or "< 0.0040" for a value under its floor ("> " where higher is better).
 [[nodiscard]] std::string format_error(const MetricAnalysis& error);
 
+/// The same in codes of an 8-bit image (times 255), as temporal flicker is read: "5.10".
+[[nodiscard]] std::string format_codes(const MetricAnalysis& error);
+/// The metric over time that is also put in codes.
+inline constexpr std::string_view kFlickerMetric = "temporal_flicker";
+
+/// "1 round", "2 rounds".
+[[nodiscard]] std::string count_rounds(std::size_t rounds);
+
 /// "3.1 %"
 [[nodiscard]] std::string format_percent(double fraction);
 

@@ -66,6 +66,16 @@ class Table {
         add_flag(name + "_below_floor", error != nullptr && error->is_below_floor);
     }
 
+    void add_history(const std::string& name, const MetricAnalysis* number) {
+        const auto get = [&](double MetricAnalysis::*field) {
+            return number != nullptr ? std::optional<double>(number->*field) : std::nullopt;
+        };
+        add(name, get(&MetricAnalysis::value));
+        add(name + "_min", get(&MetricAnalysis::minimum));
+        add(name + "_max", get(&MetricAnalysis::maximum));
+        add_count(name + "_n", number != nullptr ? number->frames : 0);
+    }
+
     [[nodiscard]] std::string make_text() const {
         std::string text;
         append_csv_line(text, m_columns);
@@ -85,11 +95,12 @@ std::string name_role(CellRole role) {
                                     : (role == CellRole::anchor ? "anchor" : "anchor_repeat");
 }
 
-/// Metrics of any round, so that all lines have the same columns.
-std::vector<std::string> list_metrics(const RunAnalysis& analysis) {
+/// Metrics of one kind of any round, so that all lines have the same columns.
+std::vector<std::string> list_metrics(const RunAnalysis& analysis,
+                                      std::vector<std::string> RoundAnalysis::*kind) {
     std::vector<std::string> names;
     for (const RoundAnalysis& round : analysis.rounds) {
-        for (const std::string& metric : round.metrics) {
+        for (const std::string& metric : round.*kind) {
             if (std::find(names.begin(), names.end(), metric) == names.end()) {
                 names.push_back(metric);
             }
@@ -98,8 +109,14 @@ std::vector<std::string> list_metrics(const RunAnalysis& analysis) {
     return names;
 }
 
+struct MetricNames {
+    std::vector<std::string> image;
+    std::vector<std::string> temporal;
+    std::vector<std::string> history;
+};
+
 void add_line(Table& table, const RunAnalysis& analysis, const RoundAnalysis& round,
-              const CellAnalysis& cell, const std::vector<std::string>& metrics) {
+              const CellAnalysis& cell, const MetricNames& metrics) {
     table.begin_line();
     table.add_count("schema", kRunSchemaVersion);
     table.add("round", round.round.id);
@@ -116,10 +133,12 @@ void add_line(Table& table, const RunAnalysis& analysis, const RoundAnalysis& ro
     table.add("preset", cell.cell.preset);
     table.add("role", name_role(cell.cell.role));
     table.add("target", cell.cell.target);
+    table.add("reference", round.round.reference.label);
     table.add_flag("has_passes", cell.cell.has_passes);
     table.add_estimate("ratio", cell.ratio);
     table.add_estimate("time_ms", cell.time_ms);
     table.add_estimate("converged_time_ms", cell.converged_time_ms);
+    table.add_estimate("converged_share", cell.converged_share);
     table.add_estimate("input_ms", cell.input_ms);
     table.add_flag("input_cached", cell.has_cached_input);
     table.add_estimate("compose_ms", cell.compose_ms);
@@ -131,16 +150,25 @@ void add_line(Table& table, const RunAnalysis& analysis, const RoundAnalysis& ro
     table.add("minimum_detectable_effect", round.minimum_detectable_effect);
     table.add("front_metric", round.front_metric);
     table.add_flag("on_front", cell.is_on_front);
-    for (const std::string& metric : metrics) {
+    for (const std::string& metric : metrics.image) {
         table.add_error(metric + "_cold", cell.find(SampleState::cold, metric));
         table.add_error(metric + "_converged", cell.find(SampleState::converged, metric));
+    }
+    for (const std::string& metric : metrics.temporal) {
+        table.add_error(metric + "_cold", cell.find_temporal(metric));
+    }
+    for (const std::string& number : metrics.history) {
+        table.add_history(number + "_cold", cell.find_history(SampleState::cold, number));
+        table.add_history(number + "_converged", cell.find_history(SampleState::converged, number));
     }
 }
 
 } // namespace
 
 std::string make_summary_csv(const RunAnalysis& analysis) {
-    const std::vector<std::string> metrics = list_metrics(analysis);
+    const MetricNames metrics = {list_metrics(analysis, &RoundAnalysis::metrics),
+                                 list_metrics(analysis, &RoundAnalysis::temporal_metrics),
+                                 list_metrics(analysis, &RoundAnalysis::history_numbers)};
     Table table;
     for (const RoundAnalysis& round : analysis.rounds) {
         for (const CellAnalysis& cell : round.cells) {

@@ -82,16 +82,16 @@ std::string make_header(const RunAnalysis& analysis, bool in_progress) {
     std::string state;
     if (in_progress) {
         state = fmt::format(
-            "<span class=\"state running\" role=\"status\">in progress: {} of {} rounds</span>",
-            analysis.rounds.size(), planned);
+            "<span class=\"state running\" role=\"status\">in progress: {} of {}</span>",
+            analysis.rounds.size(), count_rounds(planned));
     } else if (!analysis.is_complete) {
-        state = fmt::format("<span class=\"state running\" role=\"status\">incomplete: {} of {} "
-                            "rounds; continue with "
+        state = fmt::format("<span class=\"state running\" role=\"status\">incomplete: {} of {}; "
+                            "continue with "
                             "<code>--resume</code></span>",
-                            analysis.rounds.size(), planned);
+                            analysis.rounds.size(), count_rounds(planned));
     } else {
-        state = fmt::format("<span class=\"state\" role=\"status\">complete: {} rounds</span>",
-                            planned);
+        state = fmt::format("<span class=\"state\" role=\"status\">complete: {}</span>",
+                            count_rounds(planned));
     }
     return fmt::format(
         "<header><p class=\"brand\">Alcove<span>ambient occlusion, "

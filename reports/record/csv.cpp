@@ -5,7 +5,7 @@
 namespace alcove {
 namespace {
 
-constexpr std::size_t kMaximumFields = 256;
+constexpr std::size_t kMaximumFields = 1024;
 constexpr std::size_t kMaximumRecordBytes = 1u << 20;
 
 void append_field(std::string& text, std::string_view field) {

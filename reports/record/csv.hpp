@@ -18,7 +18,7 @@ class CsvReader {
 
     /// Reads the next record into `fields`; false at the end. Throws InputError, naming file and
     /// line, on an open quote at the end of the file (a truncated file), text behind a closing
-    /// quote, a last line without its line end, and more than 256 fields or 1 MiB in a record.
+    /// quote, a last line without its line end, and more than 1024 fields or 1 MiB in a record.
     [[nodiscard]] bool next(std::vector<std::string>& fields);
 
     /// "file:line" of the record read last; lines count from 1, the header is line 1.

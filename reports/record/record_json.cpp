@@ -26,6 +26,10 @@ constexpr std::size_t kMaximumJsonBytes = 1u << 26;
 constexpr int kMaximumRepeats = 10000;
 constexpr std::size_t kMaximumCells = 64;
 constexpr std::size_t kMaximumImageFrames = 1000;
+constexpr int kMaximumFilmFrames = 1000;
+constexpr std::size_t kMaximumEvents = 10000;
+constexpr std::size_t kMaximumLabelBytes = 200;
+constexpr std::string_view kReferenceCell = "reference";
 
 class Writer {
   public:
@@ -202,6 +206,48 @@ void check_id(std::set<std::string>& seen, const std::string& id, const std::str
     }
 }
 
+void check_film(const RoundRecord& round, const std::string& where) {
+    const SegmentRecord& film = round.film;
+    const std::string found = std::to_string(film.begin) + ":" + std::to_string(film.end);
+    if (film.end < film.begin || film.end - film.begin > kMaximumFilmFrames) {
+        throw InputError(where, "no film", found,
+                         "begin up to end, at most " + std::to_string(kMaximumFilmFrames) +
+                             " frames");
+    }
+    const bool is_of_burst = std::any_of(
+        round.segments.begin(), round.segments.end(), [&film](const SegmentRecord& segment) {
+            return !segment.is_single() && segment.begin <= film.begin && film.end <= segment.end;
+        });
+    if (film.begin != film.end && !is_of_burst) {
+        throw InputError(where, "not in a burst", found, "frames of one burst of the round");
+    }
+}
+
+void check_events(const std::vector<EventRecord>& events, const std::string& where) {
+    if (events.size() > kMaximumEvents) {
+        throw InputError(where, "too many events", std::to_string(events.size()),
+                         "at most " + std::to_string(kMaximumEvents));
+    }
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const std::string place = where + "[" + std::to_string(i) + "]";
+        if (i > 0 && events[i].frame < events[i - 1].frame) {
+            throw InputError(place + ".frame", "not in order", std::to_string(events[i].frame),
+                             std::to_string(events[i - 1].frame) + " or later");
+        }
+        if (events[i].label.size() > kMaximumLabelBytes) {
+            throw InputError(place + ".label", "too long",
+                             std::to_string(events[i].label.size()) + " bytes",
+                             "at most " + std::to_string(kMaximumLabelBytes));
+        }
+    }
+}
+
+void check_metric_kind(const MetricDescription& metric, const std::string& where) {
+    if (metric.kind != "image" && metric.kind != "temporal" && metric.kind != "history") {
+        throw InputError(where, "unknown kind", metric.kind, "image, temporal or history");
+    }
+}
+
 void check_round(const RoundRecord& round, const std::string& where) {
     if (round.width <= 0 || round.height <= 0) {
         throw InputError(where + ".width", "no size",
@@ -225,7 +271,13 @@ void check_round(const RoundRecord& round, const std::string& where) {
                              "begin below end");
         }
     }
-    std::set<std::string> cells = {"harness", "reference"};
+    check_film(round, where + ".film");
+    check_events(round.events, where + ".events");
+    if (round.reference.id != kReferenceCell) {
+        throw InputError(where + ".reference.id", "not the reference's id", round.reference.id,
+                         kReferenceCell);
+    }
+    std::set<std::string> cells = {"harness", std::string(kReferenceCell)};
     for (std::size_t i = 0; i < round.cells.size(); ++i) {
         check_id(cells, round.cells[i].id, where + ".cells[" + std::to_string(i) + "].id");
     }
@@ -270,6 +322,10 @@ PlanRecord parse_plan_json(std::string_view text, std::string_view file) {
         const std::string where = std::string(file) + ": rounds[" + std::to_string(i) + "]";
         check_id(rounds, plan.rounds[i].id, where + ".id");
         check_round(plan.rounds[i], where);
+    }
+    for (std::size_t i = 0; i < plan.metrics.size(); ++i) {
+        check_metric_kind(plan.metrics[i],
+                          std::string(file) + ": metrics[" + std::to_string(i) + "].kind");
     }
     return plan;
 }

@@ -13,8 +13,8 @@ namespace alcove {
 [[nodiscard]] std::string make_json(const RoundDone& record);
 
 /// Read strictly: a missing or unknown key, a wrong type, a number out of range, an id that is no
-/// safe folder name or stands twice, or another schema version is an InputError naming `file` and
-/// the key ("rounds[0].cells[2].id").
+/// safe folder name or stands twice, a film or event out of bounds, an unknown kind of metric, or
+/// another schema version is an InputError naming `file` and the key ("rounds[0].cells[2].id").
 [[nodiscard]] ContextRecord parse_context_json(std::string_view text, std::string_view file);
 [[nodiscard]] PlanRecord parse_plan_json(std::string_view text, std::string_view file);
 [[nodiscard]] RoundDone parse_done_json(std::string_view text, std::string_view file);

@@ -1,6 +1,8 @@
 #include "reports/terminal/terminal_report.hpp"
 
 #include "reports/analysis/wording.hpp"
+#include "reports/terminal/text_table.hpp"
+#include "reports/terminal/time_table.hpp"
 
 #include <algorithm>
 
@@ -8,42 +10,6 @@
 
 namespace alcove {
 namespace {
-
-using Lines = std::vector<std::vector<std::string>>;
-
-/// Control characters would let a label from a file rewrite the terminal.
-std::string clean(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(),
-        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, '?');
-    return text;
-}
-
-std::size_t count_characters(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-    }));
-}
-
-std::string align(const Lines& lines) {
-    std::vector<std::size_t> widths;
-    for (const std::vector<std::string>& line : lines) {
-        widths.resize(std::max(widths.size(), line.size()));
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            widths[i] = std::max(widths[i], count_characters(line[i]));
-        }
-    }
-    std::string text;
-    for (const std::vector<std::string>& line : lines) {
-        std::string row = " ";
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            row += ' ' + line[i] + std::string(widths[i] - count_characters(line[i]) + 1, ' ');
-        }
-        row.erase(row.find_last_not_of(' ') + 1);
-        text += row + '\n';
-    }
-    return text;
-}
 
 std::string format_optional(const std::optional<Estimate>& estimate) {
     return estimate ? describe_estimate(*estimate) : "-";
@@ -56,7 +22,7 @@ std::string format_metric(const CellAnalysis& cell, SampleState state, const std
 
 std::vector<std::string> make_line(const CellAnalysis& cell,
                                    const std::vector<std::string>& metrics) {
-    std::vector<std::string> line = {cell.is_on_front ? "*" : "", clean(cell.cell.label)};
+    std::vector<std::string> line = {cell.is_on_front ? "*" : "", clean_text(cell.cell.label)};
     if (cell.cell.has_passes) {
         line.push_back(cell.cell.role == CellRole::anchor ? "1 (the unit)"
                                                           : format_optional(cell.ratio));
@@ -86,7 +52,7 @@ std::vector<std::string> choose_metrics(const RoundAnalysis& round) {
 std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& round) {
     const std::string unit = " [ms " + analysis.context.device_class + "]";
     const std::vector<std::string> metrics = choose_metrics(round);
-    Lines lines = {{"", "method", "x anchor", "AO" + unit, "frame" + unit}};
+    TextLines lines = {{"", "method", "x anchor", "AO" + unit, "frame" + unit}};
     for (const std::string& metric : metrics) {
         lines[0].push_back(metric + " cold");
         lines[0].push_back(metric + " converged");
@@ -94,10 +60,11 @@ std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& rou
     for (const CellAnalysis& cell : round.cells) {
         lines.push_back(make_line(cell, metrics));
     }
-    return fmt::format("{} {}x{}, {}\n{}  {}\n  {}; {}\n\n", clean(round.round.scene),
-                       round.round.width, round.round.height, clean(round.round.target),
-                       align(lines), clean(describe_verdict(round)), clean(describe_noise(round)),
-                       clean(describe_floor(round)));
+    return fmt::format("{} {}x{}, {}\n{}  {}\n  {}; {}\n{}\n", clean_text(round.round.scene),
+                       round.round.width, round.round.height, clean_text(round.round.target),
+                       align_columns(lines), clean_text(describe_verdict(round)),
+                       clean_text(describe_noise(round)), clean_text(describe_floor(round)),
+                       make_time_table(round));
 }
 
 } // namespace
@@ -108,21 +75,22 @@ std::string make_terminal_report(const RunAnalysis& analysis, const std::filesys
         text += describe_round(analysis, round);
     }
     for (const ProvisionalRow& row : analysis.provisional) {
-        text += fmt::format("provisional: {} {:.3f} ms {} (n=1)\n", clean(row.label), row.time_ms,
-                            analysis.context.device_class);
+        text += fmt::format("provisional: {} {:.3f} ms {} (n=1)\n", clean_text(row.label),
+                            row.time_ms, analysis.context.device_class);
     }
     for (const SkippedScene& skipped : analysis.plan.skipped) {
-        text += fmt::format("skipped: {}: {}\n", clean(skipped.scene), clean(skipped.reason));
+        text +=
+            fmt::format("skipped: {}: {}\n", clean_text(skipped.scene), clean_text(skipped.reason));
     }
     if (!analysis.is_complete) {
-        text += fmt::format("in progress: {} of {} rounds finished\n", analysis.rounds.size(),
-                            analysis.plan.rounds.size());
+        text += fmt::format("in progress: {} of {} finished\n", analysis.rounds.size(),
+                            count_rounds(analysis.plan.rounds.size()));
     }
     text +=
         "Times: [95 % interval] or min..max over n repeats. Errors: mean over n frames, `<` their "
         "floor where the reference's own noise is larger.\n* not beaten in both time and error\n";
-    text += fmt::format("{}; timer {}\n", clean(describe_device(analysis.context)),
-                        clean(describe_timer(analysis)));
+    text += fmt::format("{}; timer {}\n", clean_text(describe_device(analysis.context)),
+                        clean_text(describe_timer(analysis)));
     text += "report: " + page.string() + "\n";
     return text;
 }

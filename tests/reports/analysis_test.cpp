@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace alcove {
 namespace {
@@ -27,6 +28,23 @@ std::vector<int> list_frames() {
         }
     }
     return frames;
+}
+
+/// In each of six repeats the median over the frames that the repeat times undivided.
+std::map<int, double> make_cold_medians_ms(const std::string& cell) {
+    std::map<int, double> medians;
+    for (int repeat = 0; repeat < 6; ++repeat) {
+        std::vector<double> times;
+        for (const int frame : list_frames()) {
+            if ((repeat + frame) % 2 == 0) {
+                times.push_back(1e-6 * synthetic::true_ratio(cell) *
+                                synthetic::repeat_factor(repeat, 6) *
+                                synthetic::anchor_ns(frame, repeat));
+            }
+        }
+        medians[repeat] = compute_median(times);
+    }
+    return medians;
 }
 
 class Analysis : public ::testing::Test {
@@ -67,16 +85,9 @@ TEST_F(Analysis, TimesAddUpToTheFrame) {
     EXPECT_NEAR(tssao.compose_ms->value, 1.0, 1e-9);
     EXPECT_NEAR(tssao.total_ms->value, 10.0 + 0.5 + tssao.time_ms->value + 1.0, 1e-9);
     EXPECT_EQ(tssao.total_ms->n, 6u);
-    std::vector<double> per_repeat; // three anchors, over the frames that repeat times undivided
-    for (int repeat = 0; repeat < 6; ++repeat) {
-        std::vector<double> times;
-        for (const int frame : list_frames()) {
-            if ((repeat + frame) % 2 == 0) {
-                times.push_back(3e-6 * synthetic::repeat_factor(repeat, 6) *
-                                synthetic::anchor_ns(frame, repeat));
-            }
-        }
-        per_repeat.push_back(compute_median(times));
+    std::vector<double> per_repeat;
+    for (const auto& [repeat, median] : make_cold_medians_ms("tssao")) {
+        per_repeat.push_back(median);
     }
     EXPECT_NEAR(tssao.time_ms->value, compute_mean(per_repeat), 1e-5);
     EXPECT_FALSE(cell("hemisphere_ssao").input_ms);
@@ -91,7 +102,24 @@ TEST_F(Analysis, ACellWithoutPassesCostsNothingAndHasNoRatio) {
 }
 
 TEST_F(Analysis, ConvergedTimesAreTheirOwnOrTheColdOnes) {
-    EXPECT_NEAR(cell("tssao").converged_time_ms->value / cell("tssao").time_ms->value, 0.5, 0.1);
+    const CellAnalysis& tssao = cell("tssao");
+    // Held renderings of a frame are frames of their own: their times are not added up.
+    std::vector<double> per_repeat;
+    std::vector<double> shares;
+    const std::map<int, double> cold = make_cold_medians_ms("tssao");
+    for (int repeat = 0; repeat < 6; ++repeat) {
+        std::vector<double> ends;
+        for (const int frame : {6, 90}) {
+            ends.push_back(0.5 * 3e-6 * synthetic::repeat_factor(repeat, 6) *
+                           synthetic::anchor_ns(frame, repeat));
+        }
+        per_repeat.push_back(compute_mean(ends)); // the median of four times one and four the other
+        shares.push_back(per_repeat.back() / cold.at(repeat));
+    }
+    EXPECT_NEAR(tssao.converged_time_ms->value, compute_mean(per_repeat), 1e-5);
+    EXPECT_NEAR(tssao.converged_share->value, compute_mean(shares), 1e-5);
+    EXPECT_TRUE(tssao.converged_share->interval);
+    EXPECT_FALSE(cell("hemisphere_ssao").converged_share);
     EXPECT_EQ(cell("hemisphere_ssao").converged_time_ms->value,
               cell("hemisphere_ssao").time_ms->value);
 }
@@ -142,6 +170,61 @@ TEST_F(Analysis, ErrorsOfBurstsAreColdAndOfSinglesConverged) {
     EXPECT_FALSE(cell("tssao").find(SampleState::cold, "ssim")->floor);
 }
 
+TEST_F(Analysis, MetricsOverTimeAreMeansOverBurstFrames) {
+    const RoundAnalysis& round = analysis.rounds[0];
+    EXPECT_EQ(round.metrics, (std::vector<std::string>{"rmse", "ssim"}));
+    EXPECT_EQ(round.temporal_metrics,
+              (std::vector<std::string>{"temporal_flicker", "flicker_ratio", "recovery_frames",
+                                        "missed_invalidation"}));
+    const MetricAnalysis& flicker = *cell("hemisphere_ssao").find_temporal("temporal_flicker");
+    EXPECT_EQ(flicker.frames, 45u); // 3 bursts of 16 without their first frames
+    EXPECT_NEAR(flicker.shown(), 0.02, 1e-12);
+    EXPECT_NEAR(flicker.value, std::hypot(0.02, 0.001), 1e-12);
+    EXPECT_EQ(format_codes(flicker), "5.10");
+    EXPECT_EQ(format_codes(*cell("tssao").find_temporal("temporal_flicker")), "< 0.510");
+    // 0.001 x the mean of 1..15
+    EXPECT_NEAR(cell("tssao").find_temporal("missed_invalidation")->value, 0.008, 1e-12);
+    EXPECT_EQ(cell("tssao").find_temporal("recovery_frames")->frames, 3u);
+    EXPECT_FALSE(cell("hemisphere_ssao").find_temporal("missed_invalidation"));
+    EXPECT_FALSE(cell("hemisphere_ssao").find_temporal("recovery_frames"));
+    EXPECT_FALSE(cell("tssao").find(SampleState::cold, "temporal_flicker"));
+}
+
+TEST_F(Analysis, NumbersOfHistoriesAreColdOnBurstsAndConvergedOnSingles) {
+    EXPECT_EQ(analysis.rounds[0].history_numbers,
+              (std::vector<std::string>{"history_invalidated", "history_samples", "history_age"}));
+    const MetricAnalysis& cold = *cell("tssao").find_history(SampleState::cold, "history_samples");
+    EXPECT_EQ(cold.frames, 48u);
+    EXPECT_NEAR(cold.value, (64.0 + 15.0 * 8.0) / 16.0, 1e-12);
+    const MetricAnalysis& held =
+        *cell("tssao").find_history(SampleState::converged, "history_samples");
+    EXPECT_EQ(held.frames, 8u);
+    EXPECT_EQ(held.value, synthetic::kConvergedSamples);
+    EXPECT_NEAR(cell("tssao").find_history(SampleState::cold, "history_age")->value, 7.5, 1e-12);
+    EXPECT_FALSE(cell("tssao").find_history(SampleState::converged, "history_age"));
+    EXPECT_FALSE(cell("none").find_history(SampleState::cold, "history_samples"));
+}
+
+TEST(AnalysisOfSequences, AMetricOverTimeBelongsToBurstsAlone) {
+    const TemporaryFolder folder;
+    PlanRecord plan = synthetic::make_plan({.repeats = 1});
+    plan.rounds.resize(1);
+    RunFolder run = RunFolder::create(folder.path(), synthetic::make_context(), plan);
+    std::vector<MetricRow> rows = synthetic::make_metrics(plan.rounds[0]);
+    MetricRow stray{"r0-balls", "none", 3,  6, SampleState::cold, "temporal_flicker", 9.0,
+                    {},         {},     {}, {}};
+    rows.push_back(stray);
+    stray.metric = "history_samples";
+    rows.push_back(stray);
+    run.finish_round("r0-balls", synthetic::make_samples(plan, plan.rounds[0]), rows, {});
+    const RunAnalysis analysis = analyze_run(run);
+    const CellAnalysis& none = find_cell(analysis.rounds[0], "none");
+    EXPECT_EQ(none.find_temporal("temporal_flicker")->frames, 45u);
+    EXPECT_FALSE(none.find_history(SampleState::cold, "history_samples"));
+    EXPECT_TRUE(std::none_of(none.frame_errors.begin(), none.frame_errors.end(),
+                             [](const FrameError& error) { return error.value == 9.0; }));
+}
+
 TEST_F(Analysis, TheFrontHoldsWhatNothingBeats) {
     EXPECT_TRUE(cell("hemisphere_ssao").is_on_front);
     EXPECT_TRUE(cell("tssao").is_on_front);
@@ -186,6 +269,7 @@ TEST(AnalysisOfShortRuns, SinglesAloneStandInBothColumnsAndUndefinedValuesAreCou
     PlanRecord plan = synthetic::make_plan({.repeats = 1});
     plan.rounds.resize(1);
     plan.rounds[0].segments = {{6, 7}, {9, 10}};
+    plan.rounds[0].film = {};
     RunFolder run = RunFolder::create(folder.path(), synthetic::make_context(), plan);
     std::vector<MetricRow> metrics = synthetic::make_metrics(plan.rounds[0]);
     for (MetricRow& row : metrics) {

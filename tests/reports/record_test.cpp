@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 
 namespace alcove {
@@ -103,8 +104,11 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         return error_of(
             [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
     };
-    EXPECT_TRUE(contains(error("\"schema_version\": 1", "\"schema_version\": 2"),
-                         "dir/plan.json: schema_version: another schema version: found `2`"));
+    for (const std::string version : {"1", "3"}) {
+        EXPECT_TRUE(contains(error("\"schema_version\": 2", "\"schema_version\": " + version),
+                             "dir/plan.json: schema_version: another schema version: found `" +
+                                 version + "`"));
+    }
     EXPECT_TRUE(contains(error("\"repeats\"", "\"repeat\""), "repeats: the key is missing"));
     EXPECT_TRUE(
         contains(error("\"repeats\": 6", "\"extra\": 1, \"repeats\": 6"), "extra: unknown key"));
@@ -127,6 +131,50 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         "not JSON or cut off"));
     EXPECT_TRUE(
         contains(error_of([&] { static_cast<void>(parse_plan_json("[]", "p")); }), "an object"));
+}
+
+/// What reading says of a plan that somebody changed.
+std::string error_of_plan(const std::function<void(PlanRecord&)>& change) {
+    PlanRecord plan = synthetic::make_plan({});
+    change(plan);
+    return error_of([&] { static_cast<void>(parse_plan_json(make_json(plan), "p")); });
+}
+
+TEST(RecordJson, AFilmIsAShortPartOfABurst) {
+    const auto error = [](int begin, int end) {
+        return error_of_plan([&](PlanRecord& plan) {
+            plan.rounds[0].segments.push_back({1000, 3000});
+            plan.rounds[0].film = {begin, end};
+        });
+    };
+    for (const auto& [begin, end] : {std::pair(0, 0), {7, 7}, {0, 16}, {1000, 2000}}) {
+        EXPECT_EQ(error(begin, end), "no error") << begin << ":" << end;
+    }
+    EXPECT_TRUE(contains(error(9, 8), "p: rounds[0].film: no film: found `9:8`"));
+    EXPECT_TRUE(contains(error(1000, 2001), "rounds[0].film: no film"));
+    EXPECT_TRUE(contains(error(0, 17), "rounds[0].film: not in a burst"));
+    EXPECT_TRUE(contains(error(18, 19), "rounds[0].film: not in a burst")); // a single
+}
+
+TEST(RecordJson, EventsAreInOrderFewAndShort) {
+    const auto error = [](std::vector<EventRecord> events) {
+        return error_of_plan([&](PlanRecord& plan) { plan.rounds[1].events = events; });
+    };
+    EXPECT_EQ(error({{3, "a"}, {3, std::string(200, 'b')}}), "no error");
+    EXPECT_EQ(error(std::vector<EventRecord>(10000)), "no error");
+    EXPECT_TRUE(contains(error({{3, "a"}, {2, "b"}}), "rounds[1].events[1].frame: not in order"));
+    EXPECT_TRUE(
+        contains(error({{3, std::string(201, 'b')}}), "rounds[1].events[0].label: too long"));
+    EXPECT_TRUE(
+        contains(error(std::vector<EventRecord>(10001)), "rounds[1].events: too many events"));
+}
+
+TEST(RecordJson, TheReferenceAndTheKindsOfMetricsAreNamed) {
+    EXPECT_TRUE(
+        contains(error_of_plan([](PlanRecord& plan) { plan.rounds[0].reference.id = "../truth"; }),
+                 "rounds[0].reference.id: not the reference's id: found `../truth`"));
+    EXPECT_TRUE(contains(error_of_plan([](PlanRecord& plan) { plan.metrics[1].kind = "smell"; }),
+                         "metrics[1].kind: unknown kind: found `smell`"));
 }
 
 TEST(RecordCsv, RowsRoundTrip) {
@@ -189,8 +237,10 @@ TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_TRUE(
         contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
     EXPECT_TRUE(
-        contains(error("\n1,", "\n2,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(contains(error("1,r0-balls", "1,r1-courtyard"), "a row of another round"));
+        contains(error("\n2,", "\n1,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(
+        contains(error("\n2,", "\n3,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(contains(error("2,r0-balls", "2,r1-courtyard"), "a row of another round"));
     const std::string cut = good.substr(0, good.size() - 4);
     EXPECT_TRUE(contains(error_of([&] {
                              static_cast<void>(

@@ -75,6 +75,7 @@ RoundRecord make_round(const std::string& id, const std::string& scene) {
         round.segments.push_back({frame, frame + 1});
     }
     round.image_frames.assign(std::begin(kImageFrames), std::end(kImageFrames));
+    round.reference = make_cell("reference", "reference_ray_traced", CellRole::method);
     round.cells = make_cells();
     round.scene_vertices = 48210;
     round.scene_triangles = 95004;
@@ -92,6 +93,10 @@ void make_hostile(PlanRecord& plan) {
         round.scene += mark;
         round.walkthrough += mark;
         round.target += mark;
+        round.reference.label += mark;
+        for (EventRecord& event : round.events) {
+            event.label += mark;
+        }
         for (CellRecord& cell : round.cells) {
             cell.label += mark;
             cell.target_note += mark;
@@ -178,6 +183,50 @@ void write_pictures(const fs::path& run, const RoundRecord& round, const std::st
     }
 }
 
+/// The film's pictures of one frame of a cell: a flat one each, different for every kind and frame.
+void write_film_frame(const fs::path& run, const RoundRecord& round, const std::string& cell,
+                      int frame, const std::vector<std::string>& pictures) {
+    for (std::size_t kind = 0; kind < pictures.size(); ++kind) {
+        Image image({round.width, round.height}, 3);
+        for (int y = 0; y < image.height(); ++y) {
+            for (int x = 0; x < image.width(); ++x) {
+                const bool is_past = x * (round.film.end - round.film.begin) <
+                                     (frame - round.film.begin + 1) * image.width();
+                image.at(x, y, static_cast<int>(kind % 3)) = is_past ? 0.8f : 0.3f;
+            }
+        }
+        write_png(run / RunFolder::make_image_path(round.id, cell, frame, pictures[kind]), image,
+                  Domain::view);
+    }
+}
+
+void write_film(const fs::path& run, const RoundRecord& round) {
+    for (int frame = round.film.begin; frame < round.film.end; ++frame) {
+        write_film_frame(run, round, "reference", frame, {"film_visibility"});
+        for (const CellRecord& cell : round.cells) {
+            if (cell.role != CellRole::method) {
+                continue;
+            }
+            std::vector<std::string> pictures = {"film_visibility", "film_error"};
+            if (frame > round.film.begin) {
+                pictures.emplace_back("film_temporal_flicker");
+            }
+            if (cell.warm_frames > 0) {
+                pictures.insert(pictures.end(),
+                                {"film_age", "film_cause", "film_convergence", "film_samples"});
+            }
+            if (frame + 1 == round.film.end) {
+                pictures.emplace_back("accumulated_flicker_p95");
+                if (cell.warm_frames > 0) {
+                    pictures.insert(pictures.end(),
+                                    {"accumulated_invalidations", "accumulated_samples"});
+                }
+            }
+            write_film_frame(run, round, cell.id, frame, pictures);
+        }
+    }
+}
+
 } // namespace
 
 double true_ratio(const std::string& cell) {
@@ -201,6 +250,13 @@ double true_rmse(const std::string& cell, int frames_since_reset) {
         return 0.045;
     }
     return 0.003 * (1.0 + 12.0 * std::exp2(-frames_since_reset));
+}
+
+double true_flicker(const std::string& cell) {
+    if (cell == "none") {
+        return 0.01;
+    }
+    return cell == "tssao" ? 0.001 : 0.02;
 }
 
 double anchor_ns(int frame, int repeat) {
@@ -243,7 +299,11 @@ PlanRecord make_plan(const Options& options) {
     plan.repeats = options.repeats;
     plan.shuffle_seed = 18364758544493064720ull;
     plan.reference_rays_per_half = 256;
-    plan.rounds = {make_round("r0-balls", "balls"), make_round("r1-courtyard", "courtyard")};
+    plan.rounds = {make_round("r0-balls", "balls:speed=fast"),
+                   make_round("r1-courtyard", "courtyard")};
+    plan.rounds[0].film = kFilm;
+    plan.rounds[0].events = {{4, "ball rolls"}, {40, "cut"}, {44, "box lifts"}, {60, "unseen"}};
+    plan.rounds[1].events = {{80, "cut"}};
     plan.skipped = {{"sponza", "its mesh is not here: run `alcove scene fetch sponza`"}};
     plan.methods = {{"anchor", "Anchor", "", "aa"},
                     {"none", "No occlusion", "", "bb"},
@@ -251,10 +311,22 @@ PlanRecord make_plan(const Options& options) {
                     {"tssao", "Temporal SSAO", "Mattausch, Scherzer, Wimmer. 2010.", "dd"}};
     plan.metrics = {{"rmse", "Root mean square error", "visibility",
                      "Square root of the mean squared difference of linear visibility.",
-                     "Where the error stands and whether it flickers.", "values", true},
+                     "Where the error stands and whether it flickers.", "values", "image", true},
                     {"ssim", "Structural similarity", "",
                      "Mean of local similarity in an 11x11 Gaussian window.", "Constant offsets.",
-                     "view", false}};
+                     "view", "image", false}};
+    const auto add = [&plan](const char* name, const char* title, const char* unit,
+                             const char* kind) {
+        plan.metrics.push_back({name, title, unit, std::string(title) + " by definition.",
+                                "nothing here", "values", kind, true});
+    };
+    add("temporal_flicker", "Temporal flicker", "value", "temporal");
+    add("flicker_ratio", "Flicker ratio", "1", "temporal");
+    add("recovery_frames", "Recovery", "frames", "temporal");
+    add("missed_invalidation", "Stale history kept", "share", "temporal");
+    add("history_invalidated", "Pixels that lost history", "share", "history");
+    add("history_samples", "Samples a pixel", "samples", "history");
+    add("history_age", "Mean age", "frames", "history");
     plan.scenes = {{"balls", "Balls on a floor", "contact", "CC0-1.0", "ee"},
                    {"courtyard", "Courtyard", "thin features", "CC0-1.0", "ff"}};
     if (options.hostile) {
@@ -290,12 +362,14 @@ std::vector<SampleRow> make_samples(const PlanRecord& plan, const RoundRecord& r
                     if (!cell.has_passes) {
                         continue;
                     }
-                    if (!divided) {
-                        add(cell.id, SampleKind::envelope, SampleState::cold, "envelope", ns);
-                        if (cell.warm_frames > 0 && segment.is_single() && is_end) {
+                    if (cell.warm_frames > 0 && segment.is_single() && is_end) {
+                        for (int i = 0; i < kHeldFrames; ++i) {
                             add(cell.id, SampleKind::envelope, SampleState::converged, "envelope",
                                 0.5 * ns);
                         }
+                    }
+                    if (!divided) {
+                        add(cell.id, SampleKind::envelope, SampleState::cold, "envelope", ns);
                     } else if (has_anchor_cost(cell)) {
                         add(cell.id, SampleKind::divided, SampleState::cold, "anchor/fetch",
                             1.02 * ns);
@@ -312,6 +386,41 @@ std::vector<SampleRow> make_samples(const PlanRecord& plan, const RoundRecord& r
         }
     }
     return rows;
+}
+
+/// What follows a burst of one cell; `age` counts its frames from 0.
+void add_sequence_rows(std::vector<MetricRow>& rows, const MetricRow& place, int age,
+                       bool is_last) {
+    const auto add = [&](const char* metric, std::optional<double> value,
+                         std::optional<double> debiased, std::optional<double> floor,
+                         const char* note) {
+        MetricRow row = place;
+        row.metric = metric;
+        row.value = value;
+        row.debiased = debiased;
+        row.floor = floor;
+        row.note = note;
+        rows.push_back(row);
+    };
+    const bool has_history = place.cell == "tssao";
+    if (age > 0) {
+        const double flicker = true_flicker(place.cell);
+        add("temporal_flicker", std::hypot(flicker, 0.001), flicker, kFlickerFloor, "");
+        add("flicker_ratio", has_history ? 0.25 : 0.75, {}, {}, "");
+        if (has_history) {
+            add("missed_invalidation", 0.001 * age, {}, {}, "");
+        }
+    }
+    if (is_last && has_history) {
+        add("recovery_frames", 5.0, {}, {}, "");
+    } else if (is_last) {
+        add("recovery_frames", {}, {}, {}, "nothing came into view");
+    }
+    if (has_history) {
+        add("history_invalidated", age == 0 ? 1.0 : 0.02, {}, {}, "");
+        add("history_samples", age == 0 ? kFirstSamples : kLaterSamples, {}, {}, "");
+        add("history_age", static_cast<double>(age), {}, {}, "");
+    }
 }
 
 std::vector<MetricRow> make_metrics(const RoundRecord& round) {
@@ -334,6 +443,20 @@ std::vector<MetricRow> make_metrics(const RoundRecord& round) {
                 add(SampleState::cold, frame - segment.begin);
                 if (cell.warm_frames > 0 && segment.is_single()) {
                     add(SampleState::converged, cell.warm_frames);
+                    MetricRow row{round.id, cell.id, s,  frame, SampleState::converged, {}, {},
+                                  {},       {},      {}, {}};
+                    row.metric = "history_invalidated";
+                    row.value = 0.0;
+                    rows.push_back(row);
+                    row.metric = "history_samples";
+                    row.value = kConvergedSamples;
+                    rows.push_back(row);
+                }
+                if (!segment.is_single()) {
+                    add_sequence_rows(
+                        rows,
+                        {round.id, cell.id, s, frame, SampleState::cold, {}, {}, {}, {}, {}, {}},
+                        frame - segment.begin, frame + 1 == segment.end);
                 }
             }
         }
@@ -357,8 +480,11 @@ RunFolder write_run(const fs::path& path, const Options& options) {
                 }
             }
         }
+        if (options.images) {
+            write_film(path, round);
+        }
         run.finish_round(round.id, make_samples(run.plan(), round), make_metrics(round),
-                         {61.5, 4.0, 40.0, 6.0, 9.5, 2.0, false});
+                         {61.5, 4.0, 40.0, 6.0, 1.5, 9.5, 2.0, false});
     }
     return RunFolder::open(path);
 }

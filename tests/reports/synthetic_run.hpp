@@ -19,6 +19,8 @@ struct Options {
 /// Segments of a round: three bursts of 16 and eight singles, as the default suite has for 96
 /// frames.
 inline constexpr int kFrames = 96;
+/// The first round has a film, the second none.
+inline constexpr SegmentRecord kFilm{40, 48};
 /// Frames whose pictures are kept.
 inline constexpr int kImageFrames[] = {6, 54, 90};
 
@@ -30,6 +32,15 @@ inline constexpr int kImageFrames[] = {6, 54, 90};
 [[nodiscard]] double true_rmse(const std::string& cell, int frames_since_reset);
 /// The reference's floor for rmse.
 inline constexpr double kRmseFloor = 0.004;
+/// Temporal flicker of every burst frame but the first, and its floor.
+[[nodiscard]] double true_flicker(const std::string& cell);
+inline constexpr double kFlickerFloor = 0.002;
+/// tssao takes these samples a pixel on a burst's first frame, afterwards, and converged.
+inline constexpr double kFirstSamples = 64.0;
+inline constexpr double kLaterSamples = 8.0;
+inline constexpr double kConvergedSamples = 4.0;
+/// Held frames that are timed undivided at each end and in each repeat.
+inline constexpr int kHeldFrames = 4;
 /// Anchor's envelope in nanoseconds: 4 ms, with 20 % content and a drift of 5 % a repeat.
 [[nodiscard]] double anchor_ns(int frame, int repeat);
 /// One method's factor in a repeat: exp(0.002 (repeat - (repeats - 1) / 2)).
