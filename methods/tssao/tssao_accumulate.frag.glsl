@@ -104,7 +104,7 @@ Past fetch_past(vec3 old_position, vec3 old_normal) {
         vec2 tap_uv = (vec2(texel * kScale) + 0.5) / image;
         float plane_inverse_depth = dot(old_normal, reconstruct_view_position(tap_uv, 1.0, previous_tangents)) * plane_scale;
         // Comparisons with NaN are false, so a history that holds one is dropped.
-        bool is_sound = old.r >= 0.0 && old.r < 1e6 && old.g > 0.0;
+        bool is_sound = old.r >= 0.0 && old.r < 1e6 && old.g > 0.0 && old.g < 1e9 && old.b >= 0.0 && old.b < float(2 * kBorderFlag);
         if (inside && is_sound && weight > 0.0 && is_same_surface(-old_position.z, old.a, plane_inverse_depth)) {
             if (total == 0.0) {
                 int stored = int(old.b);
