@@ -29,7 +29,6 @@ std::span<const Planned> list_planned_run_flags() {
     static constexpr std::array kFlags{
         Planned{"--sweep", "METHOD.PARAM=v1,v2,..."},
         Planned{"--allow-software", "accept llvmpipe where a GPU was asked for"},
-        Planned{"--warm", "hold the first pose before the segment"},
         Planned{"--audit", "one frame in full"},
         Planned{"--dry-run", "cells, rounds and estimated time only"},
         Planned{"--shard", "part I of N of the rounds"},

@@ -28,6 +28,8 @@ struct RunFlags {
     std::string frames;
     int repeats = 6;
     std::string target;
+    std::string reference;
+    bool warm = false;
     std::string precision;
     std::string context = "auto";
     std::string effects = "all";
@@ -63,7 +65,15 @@ Experiment make_experiment(const RunFlags& flags, const std::string& command_lin
         experiment.frames = flags.frames;
     }
     experiment.repeats = flags.repeats;
+    if (flags.warm && flags.frames.empty()) {
+        throw InputError("--warm", "holds the pose of A before [A,B)", "no --frames",
+                         "--frames A:B");
+    }
+    experiment.warm = flags.warm;
     experiment.target = flags.target;
+    if (!flags.reference.empty()) {
+        experiment.reference = parse_method_spec(flags.reference, "--reference");
+    }
     if (!flags.precision.empty()) {
         experiment.precision = parse_precision(flags.precision);
     }
@@ -188,8 +198,14 @@ Action add_run_verb(CLI::App& app, const std::string& command_line) {
         ->capture_default_str();
     app.add_option("--target", flags->target,
                    "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform");
+    app.add_option(
+        "--reference", flags->reference,
+        "what errors are measured against: M[@PRESET][:key=value,...][#label]; default "
+        "reference_ray_traced. tssao@reference_480 is what its estimator can do at most");
+    app.add_flag("--warm", flags->warm,
+                 "with --frames A:B: hold the pose of A until histories have converged");
     app.add_option("--precision", flags->precision,
-                   "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster");
+                   "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster,motion=16F|32F");
     app.add_option("--context", flags->context, "auto, osmesa (egl and glfw are planned)")
         ->capture_default_str();
     app.add_option("--effects", flags->effects, "all (auto is planned)")->capture_default_str();

@@ -5,7 +5,7 @@
 
 namespace alcove {
 
-MethodSpec parse_method_spec(std::string_view text) {
+MethodSpec parse_method_spec(std::string_view text, std::string_view option) {
     MethodSpec spec;
     spec.label = text;
     std::string_view rest = text;
@@ -13,12 +13,12 @@ MethodSpec parse_method_spec(std::string_view text) {
         spec.label = rest.substr(mark + 1);
         rest = rest.substr(0, mark);
         if (spec.label.empty()) {
-            throw InputError("--method", "empty label after #", text,
+            throw InputError(option, "empty label after #", text,
                              "M[@PRESET][:key=value,...][#label]");
         }
     }
     if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
-        for (const KeyValue& entry : parse_key_values(rest.substr(colon + 1), "--method")) {
+        for (const KeyValue& entry : parse_key_values(rest.substr(colon + 1), option)) {
             spec.overrides.push_back({entry.key, entry.value, Provenance::command_line});
         }
         rest = rest.substr(0, colon);

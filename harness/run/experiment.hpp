@@ -20,8 +20,10 @@ struct MethodSpec {
     std::vector<ParameterOverride> overrides;
     std::string label; ///< the text after '#', else the specification itself
 };
-/// Throws InputError naming the part that cannot be read. Names are checked when the plan is made.
-[[nodiscard]] MethodSpec parse_method_spec(std::string_view text);
+/// Throws InputError naming `option` and the part that cannot be read. Names are checked when the
+/// plan is made.
+[[nodiscard]] MethodSpec parse_method_spec(std::string_view text,
+                                           std::string_view option = "--method");
 
 /// "WxH", each 1 to 16384. Throws InputError.
 [[nodiscard]] ImageSize parse_size(std::string_view text);
@@ -32,7 +34,8 @@ struct Experiment {
     std::vector<MethodSpec> methods; ///< empty: the default suite
     ImageSize size{384, 288};
     std::optional<std::string> frames; ///< "A:B"
-    bool quick = false;                ///< one scene, 24 frames
+    bool warm = false;  ///< holds the pose of A before [A,B) until histories have converged
+    bool quick = false; ///< one scene, 24 frames
     int repeats = 6;
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};

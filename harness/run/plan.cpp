@@ -132,6 +132,7 @@ class ScenePlanner {
         round.precision = describe(m_experiment.precision);
         round.segments =
             choose_segments(m_experiment, static_cast<int>(scene.get_walkthrough().cameras.size()));
+        round.warm = m_experiment.warm;
         round.image_frames = choose_image_frames(round.segments);
         round.film = choose_film(round.segments);
         round.events = list_events(scene.get_walkthrough());

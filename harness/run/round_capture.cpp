@@ -22,6 +22,10 @@ constexpr const char* kFlicker = "temporal_flicker";
 constexpr std::array<std::string_view, 3> kFilmMaps{kFlicker, "missed_invalidation",
                                                     "false_invalidation"};
 
+bool begins_sequence(const RoundFrame& frame) {
+    return frame.is_warmed || !frame.view.history_valid;
+}
+
 /// Per pixel the value that 95 % of the frames do not exceed (nearest rank).
 Image compute_p95(const std::vector<Image>& images) {
     Image p95(images.front().size(), 1);
@@ -85,13 +89,12 @@ Truth RoundCapture::get_truth(const FrameView& view) {
 void RoundCapture::capture_frame(std::size_t index) {
     const std::vector<RoundFrame>& frames = m_stage.frames();
     const RoundFrame& frame = frames[index];
-    const bool begins = !frame.view.history_valid;
-    if (begins) {
+    m_stage.prepare_histories(frame);
+    if (begins_sequence(frame)) {
         m_sequence.reset();
-        for (std::size_t i = 0; i < m_cells.size(); ++i) {
-            m_stage.cells()[i].method().reset_history();
-            m_cells[i].history.reset();
-            for (const auto& [unit, metric] : m_cells[i].metrics) {
+        for (CellSequence& cell : m_cells) {
+            cell.history.reset();
+            for (const auto& [unit, metric] : cell.metrics) {
                 metric->reset();
             }
         }
@@ -103,7 +106,7 @@ void RoundCapture::capture_frame(std::size_t index) {
         return;
     }
     const Truth truth = get_truth(frame.view);
-    const bool ends = index + 1 == frames.size() || !frames[index + 1].view.history_valid;
+    const bool ends = index + 1 == frames.size() || begins_sequence(frames[index + 1]);
     const SegmentRecord& film = m_stage.round().film;
     const std::vector<int>& kept = m_stage.round().image_frames;
     Shot shot{frame, SampleState::cold, truth, !is_single(frame), ends, false, false};

@@ -29,6 +29,10 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
                 static_cast<int>(s),
                 make_frame_view(scene.get_walkthrough(), f, m_size, f == round.segments[s].begin)};
             detect_motion(scene, frame.view);
+            if (round.warm && f == round.segments[s].begin) {
+                frame.is_warmed = true;
+                frame.view = hold(frame.view);
+            }
             m_frames.push_back(frame);
         }
     }
@@ -99,6 +103,18 @@ MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
     inputs.lights = &m_scene.get_lights();
     inputs.noise_seed = kNoiseSeed;
     return inputs;
+}
+
+void RoundStage::prepare_histories(const RoundFrame& frame) {
+    for (MethodCell& cell : m_cells) {
+        if (frame.is_warmed) {
+            FrameView begin = frame.view;
+            begin.history_valid = false;
+            warm_up(cell, begin);
+        } else if (!frame.view.history_valid) {
+            cell.method().reset_history();
+        }
+    }
 }
 
 void RoundStage::warm_up(MethodCell& cell, const FrameView& view) {

@@ -13,6 +13,8 @@ namespace alcove {
 struct RoundFrame {
     int segment = 0;
     FrameView view;
+    /// Histories are converged on this pose before the frame is shown (RoundRecord::warm).
+    bool is_warmed = false;
 };
 
 /// Cells whose G-buffers are alike share one.
@@ -60,6 +62,9 @@ class RoundStage {
         return {cell.channels(), cell.border()};
     }
     [[nodiscard]] MethodInputs make_inputs(const MethodCell& cell) const;
+    /// What a frame asks for before it is shown: histories forgotten at a segment's start and at a
+    /// cut, and converged where the frame is warmed.
+    void prepare_histories(const RoundFrame& frame);
     /// Forgets the cell's history and renders it for its warm_frames() with the frame held, which
     /// stays set, with its G-buffer.
     void warm_up(MethodCell& cell, const FrameView& view);

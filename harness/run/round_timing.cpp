@@ -129,11 +129,7 @@ void RoundTiming::time_frame(const RoundFrame& frame, int repeat) {
 
 void RoundTiming::time_repeat(int repeat, const std::function<void()>& frame_done) {
     for (const RoundFrame& frame : m_stage.frames()) {
-        if (!frame.view.history_valid) {
-            for (MethodCell& cell : m_stage.cells()) {
-                cell.method().reset_history();
-            }
-        }
+        m_stage.prepare_histories(frame);
         time_frame(frame, repeat);
         frame_done();
     }

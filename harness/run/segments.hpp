@@ -21,7 +21,7 @@ namespace alcove {
 
 /// The burst that is kept as a film: the middle one of the bursts, its first kMostFilmFrames
 /// frames; empty where there is no burst.
-inline constexpr int kMostFilmFrames = 64;
+inline constexpr int kMostFilmFrames = 128;
 [[nodiscard]] SegmentRecord choose_film(const std::vector<SegmentRecord>& segments);
 
 /// Frames whose pictures are kept: all singles, or, where there are none, up to 4 spread over the

@@ -110,12 +110,14 @@ struct RoundRecord {
     int height = 0;
     std::string precision; ///< "raster_depth=32F,eye_depth=32F"
     std::vector<SegmentRecord> segments;
+    /// Histories are converged on each segment's first pose before it is replayed.
+    bool warm = false;
     std::vector<int> image_frames; ///< frames whose pictures are kept
     /// Frames of one burst whose pictures are all kept, to be played as a film; empty: begin = end.
     SegmentRecord film;
     std::vector<EventRecord> events; ///< ascending in frame
-    CellRecord reference; ///< what errors are measured against
-    std::vector<CellRecord> cells; ///< the anchor twice and up to 8 methods
+    CellRecord reference;            ///< what errors are measured against
+    std::vector<CellRecord> cells;   ///< the anchor twice and up to 8 methods
     std::size_t scene_vertices = 0;
     std::size_t scene_triangles = 0;
     double ao_radius_m = 0.0;
@@ -204,8 +206,8 @@ struct RoundDone {
     double wall_s = 0.0;
     double gbuffer_s = 0.0; ///< parts of the wall time
     double passes_s = 0.0;
-    double metrics_s = 0.0;  ///< of single images
-    double temporal_s = 0.0; ///< metrics over time with the geometry they need, history heatmaps
+    double metrics_s = 0.0;   ///< of single images
+    double temporal_s = 0.0;  ///< metrics over time with the geometry they need, history heatmaps
     double reference_s = 0.0; ///< tracing or reading the reference
     double images_s = 0.0;    ///< writing pictures
     bool reference_cached = false;

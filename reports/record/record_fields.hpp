@@ -58,6 +58,7 @@ void visit(V& v, RoundRecord& r) {
     v("height", r.height);
     v("precision", r.precision);
     v("segments", r.segments);
+    v("warm", r.warm);
     v("image_frames", r.image_frames);
     v("film", r.film);
     v("events", r.events);

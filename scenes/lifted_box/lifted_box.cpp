@@ -27,9 +27,9 @@ struct LiftedBoxParameters {
 /// The scene's AO radius r, in metres. Ways and speeds are told in it: what matters to a history is
 /// how much of the occlusion changes within a frame.
 constexpr double kRadius = 0.5;
-constexpr int kBegin = 30;  ///< frame at which the box starts on its way
-constexpr int kReturn = 75; ///< frame at which it starts back, if it has arrived by kLastArrival
-constexpr int kLastArrival = 60;
+constexpr int kBegin = 58;  ///< frame at which the box starts on its way: in the middle burst
+constexpr int kReturn = 98; ///< frame at which it starts back, if it has arrived by kLastArrival
+constexpr int kLastArrival = 90;
 /// The box stands this deep in the floor, metres: in contact, without two faces in one plane; less
 /// than the way of one frame, so that it is free of the floor after the first one.
 constexpr double kSink = 0.004;

@@ -67,7 +67,7 @@ TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     expect_refused({"run", "--sweep", "hemisphere_ssao.samples=8,16"}, 2, {"--sweep", "planned"});
     expect_refused({"run", "--sweep=hemisphere_ssao.samples=8,16"}, 2, {"--sweep", "planned"});
     expect_refused({"run", "--quick", "--allow-software"}, 2, {"--allow-software", "planned"});
-    expect_refused({"run", "--warm"}, 2, {"--warm", "planned"});
+    expect_refused({"run", "--warm"}, 2, {"--warm", "--frames A:B"});
     expect_refused({"run", "--audit", "3"}, 2, {"--audit", "planned"});
     expect_refused({"run", "--dry-run"}, 2, {"--dry-run", "planned"});
     expect_refused({"run", "--shard", "1/2"}, 2, {"--shard", "planned"});
