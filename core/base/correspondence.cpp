@@ -56,7 +56,7 @@ float sample_displacement(const Image& position, const BilinearTaps& taps, int c
 } // namespace
 
 Correspondence make_identity_correspondence(ImageSize size) {
-    Correspondence identity{Image(size, 2), Image(size, 1, 1.0f)};
+    Correspondence identity{Image(size, 2), Image(size, 1, 1.0f), Image(size, 1)};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
             identity.position.at(x, y, 0) = get_centre(x, y, 0);
@@ -89,10 +89,10 @@ Correspondence compose_correspondences(const Correspondence& now_to_middle,
                                        const Correspondence& middle_to_earlier) {
     const ImageSize size = now_to_middle.valid.size();
     ALCOVE_ASSERT(size == middle_to_earlier.valid.size(), "images of one size");
-    Correspondence composed{Image(size, 2), Image(size, 1)};
+    Correspondence composed{Image(size, 2), Image(size, 1), now_to_middle.appeared};
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-            if (now_to_middle.valid.at(x, y) == 0.0f) {
+            if (now_to_middle.appeared.at(x, y) != 0.0f) {
                 continue;
             }
             const float middle_x = now_to_middle.position.at(x, y, 0);
@@ -101,11 +101,13 @@ Correspondence compose_correspondences(const Correspondence& now_to_middle,
                 std::clamp(static_cast<int>(std::floor(middle_x)), 0, size.width - 1);
             const int nearest_y =
                 std::clamp(static_cast<int>(std::floor(middle_y)), 0, size.height - 1);
-            if (middle_to_earlier.valid.at(nearest_x, nearest_y) == 0.0f) {
+            composed.appeared.at(x, y) = middle_to_earlier.appeared.at(nearest_x, nearest_y);
+            composed.valid.at(x, y) =
+                now_to_middle.valid.at(x, y) * middle_to_earlier.valid.at(nearest_x, nearest_y);
+            if (composed.appeared.at(x, y) != 0.0f) {
                 continue;
             }
             const BilinearTaps taps = find_taps(middle_x, middle_y, size);
-            composed.valid.at(x, y) = 1.0f;
             composed.position.at(x, y, 0) =
                 middle_x + sample_displacement(middle_to_earlier.position, taps, 0);
             composed.position.at(x, y, 1) =

@@ -31,6 +31,7 @@ void check_temporal_frame(const TemporalFrame& frame, std::string_view metric) {
         check(&earlier.reference, 1, "an earlier reference");
         check(&earlier.correspondence.position, 2, "an earlier frame's positions");
         check(&earlier.correspondence.valid, 1, "an earlier frame's validity");
+        check(&earlier.correspondence.appeared, 1, "an earlier frame's appeared points");
     }
     PixelPosition position;
     if (find_non_finite(frame.test, position)) {

@@ -11,6 +11,7 @@ namespace alcove {
 namespace {
 
 constexpr float kDepthTolerance = 0.01f;
+constexpr float kSeenTolerance = 0.02f;
 constexpr float kNormalCosine = 0.9f;
 /// Closer to a pixel's centre than this it is the centre: rounding of a camera that stands still.
 constexpr float kSnapPixels = 1e-3f;
@@ -24,7 +25,15 @@ glm::vec3 get_vector(const Image& image, int x, int y) {
     return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
 }
 
-/// One pixel's place in the earlier image and whether the same surface stood there.
+/// What became of one pixel's surface point.
+struct Match {
+    bool is_surface = false;
+    bool is_seen = false;  ///< at least one pixel around the place shows it
+    bool is_valid = false; ///< all of them do
+    glm::vec2 place{0.0f}; ///< pixels of the earlier image
+};
+
+/// Finds each pixel's place in the earlier image and what stood there.
 class PixelMatcher {
   public:
     PixelMatcher(const FrameView& view, const SurfaceImages& now, const SurfaceImages& before)
@@ -37,45 +46,51 @@ class PixelMatcher {
         m_previous_tangents = glm::vec2(exact.previous_tangents);
     }
 
-    /// Fills `place` (pixels of the earlier image); false if the point was not seen there.
-    [[nodiscard]] bool match(int x, int y, glm::vec2& place) const {
+    [[nodiscard]] Match match(int x, int y) const {
+        Match match;
         const float depth = m_now.eye_depth.at(x, y);
         if (std::isinf(depth)) {
-            return false;
+            return match;
         }
+        match.is_surface = true;
         const glm::vec2 size(m_size.width, m_size.height);
         const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-        const glm::vec3 position((2.0f * centre.x / size.x - 1.0f) * m_tangents.x * depth,
-                                 (1.0f - 2.0f * centre.y / size.y) * m_tangents.y * depth, -depth);
+        const glm::vec3 position = depth * make_ray(centre, m_tangents);
         const glm::vec3 old = m_previous_from_view * position + m_offset +
                               m_previous_from_world * get_vector(m_now.motion, x, y);
         if (!(old.z < 0.0f)) {
-            return false;
+            return match;
         }
-        place = {size.x * (0.5f - 0.5f * old.x / (old.z * m_previous_tangents.x)),
-                 size.y * (0.5f + 0.5f * old.y / (old.z * m_previous_tangents.y))};
-        place = {snap_to_centre(place.x), snap_to_centre(place.y)};
-        // All four pixels around it must exist.
-        if (!(place.x >= 0.5f && place.y >= 0.5f && place.x <= size.x - 0.5f &&
-              place.y <= size.y - 0.5f)) {
-            return false;
+        match.place = {
+            snap_to_centre(size.x * (0.5f - 0.5f * old.x / (old.z * m_previous_tangents.x))),
+            snap_to_centre(size.y * (0.5f + 0.5f * old.y / (old.z * m_previous_tangents.y)))};
+        if (match.place.x >= 0.0f && match.place.y >= 0.0f && match.place.x <= size.x &&
+            match.place.y <= size.y) {
+            compare(x, y, old, match);
         }
-        return is_same_surface(x, y, place, -old.z);
+        return match;
     }
 
   private:
-    [[nodiscard]] bool is_same_surface(int x, int y, const glm::vec2& place,
-                                       float expected_depth) const {
-        const float left = place.x - 0.5f;
-        const float top = place.y - 0.5f;
-        const int x0 = std::min(static_cast<int>(left), m_size.width - 1);
-        const int y0 = std::min(static_cast<int>(top), m_size.height - 1);
+    /// View-space position at depth 1 of a place in pixels, y down.
+    [[nodiscard]] glm::vec3 make_ray(const glm::vec2& place, const glm::vec2& tangents) const {
+        return {(2.0f * place.x / static_cast<float>(m_size.width) - 1.0f) * tangents.x,
+                (1.0f - 2.0f * place.y / static_cast<float>(m_size.height)) * tangents.y, -1.0f};
+    }
+
+    void compare(int x, int y, const glm::vec3& old, Match& match) const {
+        const float left = match.place.x - 0.5f;
+        const float top = match.place.y - 0.5f;
+        const int x0 = static_cast<int>(std::floor(left));
+        const int y0 = static_cast<int>(std::floor(top));
         const float fx = left - static_cast<float>(x0);
         const float fy = top - static_cast<float>(y0);
         const float id = m_now.instance_id.at(x, y);
         const glm::vec3 expected_normal = m_previous_from_view * get_vector(m_now.normal, x, y);
+        const float plane = glm::dot(expected_normal, old);
         float inverse_depth = 0.0f;
         glm::vec3 normal(0.0f);
+        bool all_same = true;
         for (int tap = 0; tap < 4; ++tap) {
             const int dx = tap % 2;
             const int dy = tap / 2;
@@ -83,15 +98,29 @@ class PixelMatcher {
             if (weight == 0.0f) {
                 continue;
             }
-            if (m_before.instance_id.at(x0 + dx, y0 + dy) != id) {
-                return false;
+            const int tap_x = x0 + dx;
+            const int tap_y = y0 + dy;
+            if (tap_x < 0 || tap_y < 0 || tap_x >= m_size.width || tap_y >= m_size.height) {
+                all_same = false;
+                continue;
             }
-            inverse_depth += weight / m_before.eye_depth.at(x0 + dx, y0 + dy);
-            normal += weight * get_vector(m_before.normal, x0 + dx, y0 + dy);
+            const float tap_depth = m_before.eye_depth.at(tap_x, tap_y);
+            const bool is_same = m_before.instance_id.at(tap_x, tap_y) == id;
+            all_same = all_same && is_same;
+            inverse_depth += weight / tap_depth;
+            normal += weight * get_vector(m_before.normal, tap_x, tap_y);
+            const glm::vec2 centre(static_cast<float>(tap_x) + 0.5f,
+                                   static_cast<float>(tap_y) + 0.5f);
+            const float plane_inverse_depth =
+                glm::dot(expected_normal, make_ray(centre, m_previous_tangents)) / plane;
+            match.is_seen =
+                match.is_seen ||
+                (is_same && std::abs(1.0f - plane_inverse_depth * tap_depth) < kSeenTolerance);
         }
-        return std::abs(1.0f - expected_depth * inverse_depth) < kDepthTolerance &&
-               glm::dot(expected_normal, normal) >
-                   kNormalCosine * glm::length(expected_normal) * glm::length(normal);
+        match.is_valid = all_same && std::abs(1.0f + old.z * inverse_depth) < kDepthTolerance &&
+                         glm::dot(expected_normal, normal) >
+                             kNormalCosine * glm::length(expected_normal) * glm::length(normal);
+        match.is_seen = match.is_seen || match.is_valid;
     }
 
     const SurfaceImages& m_now;
@@ -178,19 +207,16 @@ Correspondence make_correspondence(const FrameView& view, const SurfaceImages& n
     const ImageSize size = view.size;
     ALCOVE_ASSERT(now.eye_depth.size() == size && before.eye_depth.size() == size,
                   "surfaces of the frame's size");
-    Correspondence correspondence{Image(size, 2), Image(size, 1)};
-    if (!view.history_valid) {
-        return correspondence;
-    }
+    Correspondence correspondence{Image(size, 2), Image(size, 1), Image(size, 1)};
     const PixelMatcher matcher(view, now, before);
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {
-            glm::vec2 place;
-            if (matcher.match(x, y, place)) {
-                correspondence.position.at(x, y, 0) = place.x;
-                correspondence.position.at(x, y, 1) = place.y;
-                correspondence.valid.at(x, y) = 1.0f;
-            }
+            const Match match = matcher.match(x, y);
+            const bool is_seen = match.is_seen && view.history_valid;
+            correspondence.position.at(x, y, 0) = match.place.x;
+            correspondence.position.at(x, y, 1) = match.place.y;
+            correspondence.valid.at(x, y) = match.is_valid && is_seen ? 1.0f : 0.0f;
+            correspondence.appeared.at(x, y) = match.is_surface && !is_seen ? 1.0f : 0.0f;
         }
     }
     correspondence.valid = erode(correspondence.valid);

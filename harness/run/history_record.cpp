@@ -128,7 +128,7 @@ void HistoryRecord::add(const Image& state, const Correspondence* to_previous) {
                 continue;
             }
             float before = 0.0f;
-            if (to_previous->valid.at(x, y) != 0.0f) {
+            if (to_previous->appeared.at(x, y) == 0.0f) {
                 const int old_x =
                     std::clamp(static_cast<int>(std::floor(to_previous->position.at(x, y, 0))), 0,
                                size.width - 1);

@@ -12,14 +12,15 @@ namespace {
 TEST(Precision, DescriptionReadsBack) {
     for (const char* text :
          {"raster_depth=32F,eye_depth=32F", "raster_depth=24,reversed,eye_depth=raster",
-          "raster_depth=16,eye_depth=16F"}) {
+          "raster_depth=16,eye_depth=16F", "raster_depth=32F,eye_depth=32F,motion=32F"}) {
         EXPECT_EQ(describe(parse_precision(text)), text);
     }
     EXPECT_EQ(describe(parse_precision("eye_depth=raster")), "raster_depth=32F,eye_depth=raster");
 }
 
 TEST(Precision, UnknownPartsAreErrors) {
-    for (const char* wrong : {"raster_depth=48", "eye_depth=", "depth=24", "reverse", ""}) {
+    for (const char* wrong :
+         {"raster_depth=48", "eye_depth=", "depth=24", "reverse", "motion=24", ""}) {
         EXPECT_THROW(static_cast<void>(parse_precision(wrong)), InputError) << wrong;
     }
 }
