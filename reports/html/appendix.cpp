@@ -88,6 +88,9 @@ constexpr Definition kDefinitions[] = {
      "the "
      "halves, free of the reference's noise. The floor is what that noise alone would give; "
      "differences under it print as < floor."},
+    {"Over time",
+     "Metrics over time follow bursts: means over the burst frames that have a value, cold. What "
+     "methods say of their history is a mean over surface pixels and frames."},
     {"Front", "No other method of the round is both faster (× anchor) and more accurate. Errors "
               "under the floor count as "
               "the floor; times closer than the noise are ordered, but not told apart."},
@@ -99,12 +102,14 @@ constexpr Definition kDefinitions[] = {
 };
 
 std::string describe_metric(const MetricDescription& metric) {
-    return fmt::format("<dt>{}<small>{}</small></dt><dd>{} Computed on {}{}{}; {} is better. "
+    return fmt::format("<dt>{}<small>{}</small></dt><dd>{} Computed on {}{}{}; {}. "
                        "<b>Blind to:</b> {}</dd>\n",
                        escape_html(metric.name), escape_html(metric.title),
                        escape_html(metric.definition), escape_html(metric.domain),
                        metric.unit.empty() ? "" : ", unit ", escape_html(metric.unit),
-                       metric.lower_is_better ? "lower" : "higher",
+                       metric.kind == "history"
+                           ? "neither good nor bad"
+                           : (metric.lower_is_better ? "lower is better" : "higher is better"),
                        metric.blind_to.empty() ? "not stated." : escape_html(metric.blind_to));
 }
 

@@ -63,7 +63,9 @@ std::string make_error_table(const RoundAnalysis& round) {
     for (std::size_t i = 0; i < round.cells.size(); ++i) {
         rows += make_error_rows(round.cells[i], i);
     }
-    return "<p class=\"note\">Cold errors are over the frames of the bursts, converged ones over "
+    return "<p class=\"note\">Errors are measured against " +
+           escape_html(round.round.reference.label) +
+           ". Cold errors are over the frames of the bursts, converged ones over "
            "single "
            "frames with time and camera held. A method without history has its cold singles in the "
            "converged row. <i>&lt;</i> stands where the error is under the reference's own "

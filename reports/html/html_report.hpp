@@ -1,6 +1,6 @@
 #pragma once
-// The report's page: one file that opens from a disk without a network. Everything but the charts
-// and the picture viewer is readable without JavaScript.
+// The report's page: one file that opens from a disk without a network. Everything but the charts,
+// the picture viewer and the film is readable without JavaScript.
 
 #include "reports/analysis/analysis.hpp"
 

@@ -2,6 +2,8 @@
 
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/events.hpp"
+#include "reports/html/film.hpp"
 #include "reports/html/round_section.hpp"
 
 #include <nlohmann/json.hpp>
@@ -46,7 +48,6 @@ Json make_cell(const RoundAnalysis& round, const CellAnalysis& cell, std::size_t
     for (const std::string& metric : round.metrics) {
         errors[metric] = {{"cold", make_error(cell.find(SampleState::cold, metric))},
                           {"converged", make_error(cell.find(SampleState::converged, metric))}};
-        frame_errors[metric] = Json::array();
     }
     for (const FrameError& error : cell.frame_errors) {
         frame_errors[error.metric].push_back(
@@ -85,11 +86,14 @@ Json make_frame_floors(const RoundAnalysis& round, const std::string& metric) {
     return floors;
 }
 
+Json make_kind(const PictureKind& kind) {
+    return {{"key", kind.key}, {"title", kind.title}, {"ofReference", kind.is_of_reference}};
+}
+
 Json make_pictures(const RoundAnalysis& round, const PictureFinder& finder) {
     Json kinds = Json::array();
     for (const PictureKind& kind : list_picture_kinds()) {
-        kinds.push_back(
-            {{"key", kind.key}, {"title", kind.title}, {"ofReference", kind.is_of_reference}});
+        kinds.push_back(make_kind(kind));
     }
     Json urls = Json::object();
     for (const CellAnalysis* cell : list_pictured_cells(round)) {
@@ -104,16 +108,65 @@ Json make_pictures(const RoundAnalysis& round, const PictureFinder& finder) {
     return {{"frames", round.round.image_frames}, {"kinds", kinds}, {"urls", urls}};
 }
 
+/// Null if the round has no film with pictures.
+Json make_film(const RoundAnalysis& round, const PictureFinder& finder) {
+    const SegmentRecord& film = round.round.film;
+    Json urls = Json::object();
+    Json kinds = Json::array();
+    for (const PictureKind& kind : list_film_kinds()) {
+        bool is_kept = false;
+        for (const CellAnalysis* cell : list_pictured_cells(round)) {
+            Json frames = Json::array();
+            bool has_frame = false;
+            for (int frame = film.begin; frame < film.end; ++frame) {
+                const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind);
+                has_frame = has_frame || url;
+                frames.push_back(url ? Json(*url) : Json());
+            }
+            if (has_frame) {
+                is_kept = true;
+                urls[kind.is_of_reference ? round.round.reference.id : cell->cell.id][kind.key] =
+                    frames;
+            }
+            if (kind.is_of_reference) {
+                break; // the same for all methods
+            }
+        }
+        if (is_kept) {
+            kinds.push_back(make_kind(kind));
+        }
+    }
+    if (kinds.empty()) {
+        return {};
+    }
+    return {{"begin", film.begin}, {"end", film.end}, {"kinds", kinds}, {"urls", urls}};
+}
+
+Json make_metrics(const RunAnalysis& analysis, const RoundAnalysis& round) {
+    Json metrics = Json::array();
+    for (const auto* names : {&round.metrics, &round.temporal_metrics, &round.history_numbers}) {
+        for (const std::string& name : *names) {
+            const MetricDescription* metric = analysis.find_metric(name);
+            metrics.push_back({{"name", name},
+                               {"title", metric == nullptr ? name : metric->title},
+                               {"kind", metric == nullptr ? "image" : metric->kind},
+                               {"lowerIsBetter", metric == nullptr || metric->lower_is_better},
+                               {"frameFloors", make_frame_floors(round, name)}});
+        }
+    }
+    return metrics;
+}
+
+Json make_events(const RoundRecord& round) {
+    Json events = Json::array();
+    for (const EventRecord& event : list_replayed_events(round)) {
+        events.push_back({event.frame, event.label});
+    }
+    return events;
+}
+
 Json make_round(const RunAnalysis& analysis, const RoundAnalysis& round,
                 const PictureFinder& finder) {
-    Json metrics = Json::array();
-    for (const std::string& name : round.metrics) {
-        const MetricDescription* metric = analysis.find_metric(name);
-        metrics.push_back({{"name", name},
-                           {"title", metric == nullptr ? name : metric->title},
-                           {"lowerIsBetter", metric == nullptr || metric->lower_is_better},
-                           {"frameFloors", make_frame_floors(round, name)}});
-    }
     Json segments = Json::array();
     for (const SegmentRecord& segment : round.round.segments) {
         segments.push_back({segment.begin, segment.end});
@@ -126,10 +179,12 @@ Json make_round(const RunAnalysis& analysis, const RoundAnalysis& round,
             {"width", round.round.width},
             {"height", round.round.height},
             {"segments", segments},
-            {"metrics", metrics},
+            {"events", make_events(round.round)},
+            {"metrics", make_metrics(analysis, round)},
             {"frontMetric", round.front_metric},
             {"cells", cells},
-            {"pictures", make_pictures(round, finder)}};
+            {"pictures", make_pictures(round, finder)},
+            {"film", make_film(round, finder)}};
 }
 
 } // namespace

@@ -53,32 +53,38 @@ std::vector<const CellAnalysis*> list_pictured_cells(const RoundAnalysis& round)
     return cells;
 }
 
-std::string make_picture_sheet(const RoundAnalysis& round, const PictureFinder& finder) {
-    std::string text;
-    for (const int frame : round.round.image_frames) {
-        text += fmt::format(
-            "<details class=\"sheet\"{}><summary>All pictures of frame {}</summary>\n<div "
-            "class=\"scroll\"><table class=\"pictures\"><thead><tr><th class=\"name\">Method</th>",
-            frame == round.round.image_frames.front() ? " open" : "", frame);
-        for (const PictureKind& kind : list_picture_kinds()) {
-            text += fmt::format("<th>{}</th>", kind.title);
-        }
-        text += "</tr></thead><tbody>\n";
-        for (const CellAnalysis* cell : list_pictured_cells(round)) {
-            const std::string label = escape_html(cell->cell.label);
-            text += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", label);
-            for (const PictureKind& kind : list_picture_kinds()) {
-                const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind);
-                text +=
-                    url ? fmt::format(
+std::string make_picture_table(const RoundAnalysis& round, const PictureFinder& finder, int frame,
+                               const std::vector<PictureKind>& kinds, const char* absent) {
+    std::string text = "<div class=\"scroll\"><table class=\"pictures\"><thead><tr><th "
+                       "class=\"name\">Method</th>";
+    for (const PictureKind& kind : kinds) {
+        text += fmt::format("<th>{}</th>", kind.title);
+    }
+    text += "</tr></thead><tbody>\n";
+    for (const CellAnalysis* cell : list_pictured_cells(round)) {
+        const std::string label = escape_html(cell->cell.label);
+        text += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", label);
+        for (const PictureKind& kind : kinds) {
+            const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind);
+            text += url ? fmt::format(
                               "<td><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}, {2}, frame "
                               "{3}\" width=\"{4}\" height=\"{5}\" loading=\"lazy\"></a></td>",
                               *url, label, kind.title, frame, round.round.width, round.round.height)
-                        : "<td class=\"absent\">not kept</td>";
-            }
-            text += "</tr>\n";
+                        : fmt::format("<td class=\"absent\">{}</td>", absent);
         }
-        text += "</tbody></table></div></details>\n";
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>";
+}
+
+std::string make_picture_sheet(const RoundAnalysis& round, const PictureFinder& finder) {
+    std::string text;
+    for (const int frame : round.round.image_frames) {
+        text +=
+            fmt::format("<details class=\"sheet\"{}><summary>All pictures of frame "
+                        "{}</summary>\n{}</details>\n",
+                        frame == round.round.image_frames.front() ? " open" : "", frame,
+                        make_picture_table(round, finder, frame, list_picture_kinds(), "not kept"));
     }
     return text;
 }

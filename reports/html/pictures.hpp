@@ -42,6 +42,13 @@ class PictureFinder {
 /// Methods that have pictures: everything but the anchors.
 [[nodiscard]] std::vector<const CellAnalysis*> list_pictured_cells(const RoundAnalysis& round);
 
+/// A table of one frame's pictures: a row a method, a column a kind; `absent` stands where there is
+/// no picture.
+[[nodiscard]] std::string make_picture_table(const RoundAnalysis& round,
+                                             const PictureFinder& finder, int frame,
+                                             const std::vector<PictureKind>& kinds,
+                                             const char* absent);
+
 /// Markup of the sheet: a folding block a frame, a row a method.
 [[nodiscard]] std::string make_picture_sheet(const RoundAnalysis& round,
                                              const PictureFinder& finder);

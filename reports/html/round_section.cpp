@@ -3,6 +3,9 @@
 #include "core/base/text.hpp"
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/events.hpp"
+#include "reports/html/film.hpp"
+#include "reports/html/temporal_tables.hpp"
 
 #include <fmt/core.h>
 
@@ -21,48 +24,67 @@ std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) 
         "<dl "
         "class=\"facts\"><div><dt>Walkthrough</dt><dd>{}</dd></div><div><dt>Size</"
         "dt><dd>{}&times;{}</dd>"
-        "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
+        "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Errors "
+        "against</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
         "bursts, {} singles, "
         "{} repeats</dd></div><div><dt>Scene</dt><dd>{} triangles, AO radius {} m</dd></div>"
         "<div><dt>Precision</dt><dd>{}</dd></div></dl>\n",
         escape_html(record.walkthrough), record.width, record.height, escape_html(record.target),
-        frames, bursts, record.segments.size() - bursts, analysis.plan.repeats,
-        record.scene_triangles, format_rounded(record.ao_radius_m), escape_html(record.precision));
+        escape_html(record.reference.label), frames, bursts, record.segments.size() - bursts,
+        analysis.plan.repeats, record.scene_triangles, format_rounded(record.ao_radius_m),
+        escape_html(record.precision));
 }
 
 std::string make_charts(const RoundAnalysis& round) {
-    return fmt::format("<div class=\"charts\" data-charts=\"{}\">\n"
-                       "<figure data-chart=\"scatter\"><figcaption>Time against error<small>Left "
-                       "is faster. Bars: interval or extremes over repeats. Line: the "
-                       "front.</small></figcaption></figure>\n"
-                       "<figure data-chart=\"times\"><figcaption>Frame time<small>Envelope, cold; "
-                       "median over repeats, band "
-                       "min..max. Bursts side by side.</small></figcaption></figure>\n"
-                       "<figure data-chart=\"errors\"><figcaption>Error over frames<small>Cold: "
-                       "history starts empty in every burst. Dashed: reference "
-                       "floor.</small></figcaption></figure>\n"
-                       "</div>\n",
-                       round.round.id);
+    return fmt::format(
+        "<div class=\"charts\" data-charts=\"{}\">\n"
+        "<figure data-chart=\"scatter\"><figcaption>Time against error<small>Left "
+        "is faster. Bars: interval or extremes over repeats. Line: the "
+        "front.</small></figcaption></figure>\n"
+        "<figure data-chart=\"times\"><figcaption>Frame time<small>Envelope, cold; "
+        "median over repeats, band "
+        "min..max. Bursts side by side.</small></figcaption></figure>\n"
+        "<figure data-chart=\"errors\"><figcaption>Error over frames<small>Cold: "
+        "history starts empty in every burst. Dashed: reference "
+        "floor. Metrics over time and numbers of histories too.</small></figcaption></figure>\n"
+        "</div>\n",
+        round.round.id);
 }
 
 std::string make_cost_note(const RoundAnalysis& round) {
     const RoundDone& done = round.done;
-    return fmt::format(
-        "<p class=\"note\">This round took {} s: G-buffer {} s, passes {} s, metrics {} s, "
-        "reference {} s{}, "
-        "pictures {} s.</p>\n",
-        format_rounded(done.wall_s), format_rounded(done.gbuffer_s), format_rounded(done.passes_s),
-        format_rounded(done.metrics_s), format_rounded(done.reference_s),
-        done.reference_cached ? " (from the cache)" : "", format_rounded(done.images_s));
+    return fmt::format("<p class=\"note\">This round took {} s: G-buffer {} s, passes {} s, "
+                       "metrics {} s, over time {} s, "
+                       "reference {} s{}, "
+                       "pictures {} s.</p>\n",
+                       format_rounded(done.wall_s), format_rounded(done.gbuffer_s),
+                       format_rounded(done.passes_s), format_rounded(done.metrics_s),
+                       format_rounded(done.temporal_s), format_rounded(done.reference_s),
+                       done.reference_cached ? " (from the cache)" : "",
+                       format_rounded(done.images_s));
 }
 
+/// A round's scene is the text as it was asked for: "lifted_box:speed=fast" is the scene
+/// lifted_box; the path of a file, which may hold a ':', is a name of its own.
 std::string find_title(const RunAnalysis& analysis, const std::string& scene) {
-    for (const SceneDescription& description : analysis.plan.scenes) {
-        if (description.name == scene) {
-            return description.title;
+    for (const std::string& name : {scene, scene.substr(0, scene.find(':'))}) {
+        for (const SceneDescription& description : analysis.plan.scenes) {
+            if (description.name == name) {
+                return description.title;
+            }
         }
     }
     return {};
+}
+
+std::string make_over_time(const RunAnalysis& analysis, const RoundAnalysis& round,
+                           const PictureFinder& finder) {
+    const std::string text = make_temporal_table(analysis, round) +
+                             make_history_table(analysis, round) +
+                             make_convergence_table(analysis, round) +
+                             make_event_list(round.round) + make_film_block(round, finder);
+    return text.empty() ? text
+                        : "<div class=\"over-time\"><h3>Over time</h3>\n" + text + "</div>\n";
 }
 
 } // namespace
@@ -81,11 +103,12 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
     if (!round.round.image_frames.empty()) {
         text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",
                             round.round.id);
-        text +=
-            "<p class=\"note\">Error map: red is too dark, blue too bright, white is exact.</p>\n";
+        text += "<p class=\"note\">Error map: red is too dark, blue too bright, light grey is "
+                "exact.</p>\n";
         text += make_picture_sheet(round, finder);
     }
-    return text + make_detail_tables(analysis, round) + make_cost_note(round) + "</section>\n";
+    return text + make_over_time(analysis, round, finder) + make_detail_tables(analysis, round) +
+           make_cost_note(round) + "</section>\n";
 }
 
 } // namespace alcove

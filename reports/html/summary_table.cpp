@@ -1,56 +1,19 @@
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/metric_cells.hpp"
 #include "reports/html/round_section.hpp"
 
 #include "core/base/text.hpp"
 
 #include <algorithm>
-#include <functional>
 
 #include <fmt/core.h>
 
 namespace alcove {
 namespace {
 
-/// The best value of one column among the methods, by which its cells are marked.
-class Best {
-  public:
-    Best(const RoundAnalysis& round, bool lower_is_better,
-         const std::function<std::optional<double>(const CellAnalysis&)>& get)
-        : m_get(get) {
-        for (const CellAnalysis& cell : round.cells) {
-            const std::optional<double> value = get(cell);
-            if (cell.cell.role == CellRole::method && value &&
-                (!m_best || (lower_is_better ? *value < *m_best : *value > *m_best))) {
-                m_best = value;
-            }
-        }
-    }
-    [[nodiscard]] const char* mark(const CellAnalysis& cell) const {
-        return cell.cell.role == CellRole::method && m_best && m_get(cell) == m_best ? "best" : "";
-    }
-
-  private:
-    std::function<std::optional<double>(const CellAnalysis&)> m_get;
-    std::optional<double> m_best;
-};
-
 std::optional<double> get_value(const std::optional<Estimate>& estimate) {
     return estimate ? std::optional<double>(estimate->value) : std::nullopt;
-}
-
-std::string make_error_cell(const CellAnalysis& cell, SampleState state, const std::string& metric,
-                            const char* mark) {
-    const MetricAnalysis* error = cell.find(state, metric);
-    if (error == nullptr) {
-        return "<td class=\"absent\">&ndash;</td>";
-    }
-    const std::string floor =
-        error->floor ? fmt::format("<small>floor {}</small>", format_rounded(*error->floor)) : "";
-    return fmt::format(
-        "<td class=\"{}\" data-value=\"{}\"><b>{}</b><small>{}..{} (n={})</small>{}</td>", mark,
-        format_number(error->shown()), escape_html(format_error(*error)),
-        format_rounded(error->minimum), format_rounded(error->maximum), error->frames, floor);
 }
 
 /// The two error columns of a metric with their best values.
@@ -66,14 +29,9 @@ std::vector<MetricColumns> make_metric_columns(const RunAnalysis& analysis,
     for (const std::string& name : round.metrics) {
         const MetricDescription* metric = analysis.find_metric(name);
         const bool lower = metric == nullptr || metric->lower_is_better;
-        // What is under the floor is equally good.
         const auto getter = [name](SampleState state) {
-            return [name, state](const CellAnalysis& cell) -> std::optional<double> {
-                const MetricAnalysis* error = cell.find(state, name);
-                if (error == nullptr) {
-                    return std::nullopt;
-                }
-                return error->is_below_floor ? *error->floor : error->shown();
+            return [name, state](const CellAnalysis& cell) {
+                return get_ranked(cell.find(state, name));
             };
         };
         columns.push_back({name, Best(round, lower, getter(SampleState::cold)),
@@ -159,9 +117,9 @@ std::string make_row(const CellAnalysis& cell, std::size_t index, const SummaryC
     const std::string times = make_time_cells(cell, columns);
     for (std::size_t i = 0; i < columns.metrics.size(); ++i) {
         const MetricColumns& metric = columns.metrics[i];
-        text += make_error_cell(cell, SampleState::cold, metric.name, metric.cold.mark(cell));
-        text +=
-            make_error_cell(cell, SampleState::converged, metric.name, metric.converged.mark(cell));
+        text += make_metric_cell(cell.find(SampleState::cold, metric.name), metric.cold.mark(cell));
+        text += make_metric_cell(cell.find(SampleState::converged, metric.name),
+                                 metric.converged.mark(cell));
         text += i == 0 ? times : "";
     }
     text += columns.metrics.empty() ? times : "";

@@ -1,8 +1,9 @@
 // Curves over frames: bursts stand side by side on the frame axis, with a gap between them.
 
 import uPlot from "uplot";
-import type { Cell, Metric, Round } from "./data";
+import type { Cell, FrameEvent, Metric, Round } from "./data";
 import { formatNumber, make, makeButton, makeSelect } from "./dom";
+import { makeEventHooks } from "./events";
 import { makeAxis, PlotSlot } from "./plot";
 import { onTheme, readSeriesColor, readTheme } from "./theme";
 
@@ -81,15 +82,22 @@ class Legend {
   }
 }
 
+/** Values without a neighbour: no line reaches them, so they need a point. */
+function listLone(values: Values): number[] {
+  const isAbsent = (i: number): boolean => (values[i] ?? null) === null;
+  return values.flatMap((_, i) => (!isAbsent(i) && isAbsent(i - 1) && isAbsent(i + 1) ? [i] : []));
+}
+
 interface CurveChart {
   axis: FrameAxis;
+  events: FrameEvent[];
   label: () => string;
   makeCurves: () => Curve[];
   /** drawn dashed below the curves */
   makeFloor?: () => Values;
 }
 
-function makeCurveChart(figure: HTMLElement, { axis, label, makeCurves, makeFloor }: CurveChart): () => void {
+function makeCurveChart(figure: HTMLElement, { axis, events, label, makeCurves, makeFloor }: CurveChart): () => void {
   const holder = make("div");
   const slot = new PlotSlot(holder);
   let curves = makeCurves();
@@ -113,7 +121,8 @@ function makeCurveChart(figure: HTMLElement, { axis, label, makeCurves, makeFloo
         series.push({ stroke: "transparent", points: { show: false } }, { stroke: "transparent", points: { show: false } });
         data.push(curve.high, curve.low);
       }
-      series.push({ stroke: color, width: 1.75, points: { show: axis.runs.every(([a, b]) => a === b), size: 6 } });
+      const lone = listLone(curve.middle);
+      series.push({ stroke: color, width: 1.75, points: { show: lone.length > 0, size: 6, filter: () => lone } });
       data.push(curve.middle);
     }
     const read = (plot: uPlot): void => {
@@ -129,6 +138,7 @@ function makeCurveChart(figure: HTMLElement, { axis, label, makeCurves, makeFloo
       legend.read(key ? `frame ${key[1]}` : "", values);
     };
     const marks = axis.runs.flatMap(([begin, end]) => (begin === end ? [begin] : [begin, end]));
+    const { ready, draw: placeEvents } = makeEventHooks(axis, events);
     slot.show(
       {
         height: 300,
@@ -148,7 +158,7 @@ function makeCurveChart(figure: HTMLElement, { axis, label, makeCurves, makeFloo
         ],
         series,
         bands,
-        hooks: { setCursor: [read] },
+        hooks: { setCursor: [read], ready: [ready], draw: [placeEvents] },
       },
       [axis.positions, ...data],
     );
@@ -171,11 +181,14 @@ export function makeTimeCurves(figure: HTMLElement, round: Round, deviceClass: s
     alignValues(axis, cell.times.map((row) => [row[0], row[1], row[index]]));
   makeCurveChart(figure, {
     axis,
+    events: round.events,
     label: () => `ms ${deviceClass}`,
     makeCurves: () =>
       cells.map((cell) => ({ cell, middle: column(cell, 2), low: column(cell, 3), high: column(cell, 4) })),
   });
 }
+
+const metricGroups = { image: "Errors of images", temporal: "Over time", history: "Histories (neither good nor bad)" };
 
 export function makeErrorCurves(figure: HTMLElement, round: Round): void {
   const axis = layOutFrames(round.segments);
@@ -187,11 +200,12 @@ export function makeErrorCurves(figure: HTMLElement, round: Round): void {
   let metric: Metric = round.metrics.find((m) => m.name === round.frontMetric) ?? round.metrics[0]!;
   const draw = makeCurveChart(figure, {
     axis,
+    events: round.events,
     label: () => metric.name,
     makeCurves: () => cells.map((cell) => ({ cell, middle: alignValues(axis, cell.frameErrors[metric.name] ?? []) })),
     makeFloor: () => alignValues(axis, metric.frameFloors),
   });
-  const choose = makeSelect(round.metrics.map((m) => ({ value: m.name, text: m.name })), "Metric", (name) => {
+  const choose = makeSelect(round.metrics.map((m) => ({ value: m.name, text: m.name, group: metricGroups[m.kind] })), "Metric", (name) => {
     metric = round.metrics.find((m) => m.name === name) ?? metric;
     draw();
   });

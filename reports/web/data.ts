@@ -19,6 +19,7 @@ export interface Cell {
 export interface Metric {
   name: string;
   title: string;
+  kind: "image" | "temporal" | "history";
   lowerIsBetter: boolean;
   /** segment, frame, what the reference's own noise gives there */
   frameFloors: [number, number, number][];
@@ -30,15 +31,27 @@ export interface Pictures {
   /** cell, frame, kind; absent where a picture was not kept */
   urls: Record<string, Record<string, Record<string, string>>>;
 }
+/** frame, label */
+export type FrameEvent = [number, string];
+export interface Film {
+  begin: number;
+  /** exclusive */
+  end: number;
+  kinds: PictureKind[];
+  /** cell ("reference" for kinds of the reference), kind, then a URL a frame; null where no picture was kept */
+  urls: Record<string, Record<string, (string | null)[]>>;
+}
 export interface Round {
   id: string;
   width: number;
   height: number;
   segments: [number, number][];
+  events: FrameEvent[];
   metrics: Metric[];
   frontMetric: string;
   cells: Cell[];
   pictures: Pictures;
+  film: Film | null;
 }
 export interface PageData { deviceClass: string; rounds: Round[] }
 

@@ -16,13 +16,21 @@ export function make<K extends keyof HTMLElementTagNameMap>(
 }
 
 export function makeSelect(
-  options: { value: string; text: string }[],
+  options: { value: string; text: string; group?: string }[],
   name: string,
   onChange: (value: string) => void,
 ): HTMLSelectElement {
   const select = make("select", { "aria-label": name });
+  const groups = new Map<string, HTMLOptGroupElement>();
   for (const option of options) {
-    select.append(make("option", { value: option.value }, option.text));
+    let place: HTMLElement = select;
+    if (option.group !== undefined) {
+      const group = groups.get(option.group) ?? make("optgroup", { label: option.group });
+      groups.set(option.group, group);
+      select.append(group);
+      place = group;
+    }
+    place.append(make("option", { value: option.value }, option.text));
   }
   select.addEventListener("change", () => onChange(select.value));
   return select;

@@ -1,9 +1,10 @@
-// Charts, viewer and sorting for the report's page. Everything here adds to a page that is complete without it.
+// Charts, viewer, film and sorting for the report's page. Everything here adds to a page that is complete without it.
 
 import "uplot/dist/uPlot.min.css";
 import "./enhanced.css";
 import { makeErrorCurves, makeTimeCurves } from "./curves";
 import { readPageData, type Round } from "./data";
+import { FilmPlayer } from "./film";
 import { makeScatter } from "./scatter";
 import { makeSortable } from "./tables";
 import { Viewer } from "./viewer";
@@ -29,8 +30,12 @@ for (const round of data?.rounds ?? []) {
   const viewer = section.querySelector<HTMLElement>("[data-viewer]");
   if (viewer !== null && round.pictures.frames.length > 0) {
     new Viewer(viewer, round);
-    // The viewer shows the same pictures, larger; the sheet folds up.
-    section.querySelectorAll("details.sheet").forEach((sheet) => sheet.removeAttribute("open"));
   }
+  const film = section.querySelector<HTMLElement>("[data-film]");
+  if (film !== null && round.film !== null) {
+    new FilmPlayer(film, round, round.film);
+  }
+  // Viewer and film show the same pictures, larger; the sheets fold up.
+  section.querySelectorAll("details.sheet").forEach((sheet) => sheet.removeAttribute("open"));
 }
 document.querySelectorAll<HTMLTableElement>("table[data-sortable]").forEach(makeSortable);

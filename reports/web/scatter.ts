@@ -194,11 +194,12 @@ function padRange(low: number, high: number): [number, number] {
 }
 
 export function makeScatter(figure: HTMLElement, round: Round): void {
-  if (round.metrics.length === 0) {
+  const metrics = round.metrics.filter((m) => m.kind === "image");
+  if (metrics.length === 0) {
     figure.hidden = true;
     return;
   }
-  let metric = round.metrics.find((m) => m.name === round.frontMetric) ?? round.metrics[0]!;
+  let metric = metrics.find((m) => m.name === round.frontMetric) ?? metrics[0]!;
   let state: State = "cold";
   const holder = make("div");
   figure.append(holder);
@@ -230,8 +231,8 @@ export function makeScatter(figure: HTMLElement, round: Round): void {
     makeTip(plot, points, metric);
   };
 
-  const choose = makeSelect(round.metrics.map((m) => ({ value: m.name, text: m.name })), "Metric", (name) => {
-    metric = round.metrics.find((m) => m.name === name) ?? metric;
+  const choose = makeSelect(metrics.map((m) => ({ value: m.name, text: m.name })), "Metric", (name) => {
+    metric = metrics.find((m) => m.name === name) ?? metric;
     draw();
   });
   choose.value = metric.name;
