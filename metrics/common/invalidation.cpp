@@ -16,8 +16,11 @@ Truth judge(const TemporalFrame& frame, std::size_t i, const TruthThresholds& th
     if (frame.surface.values()[i] == 0.0f) {
         return Truth::unsure;
     }
-    if (earlier.correspondence.valid.values()[i] == 0.0f) {
+    if (earlier.correspondence.appeared.values()[i] != 0.0f) {
         return Truth::changed;
+    }
+    if (earlier.correspondence.valid.values()[i] == 0.0f) {
+        return Truth::unsure;
     }
     const auto change =
         static_cast<double>(earlier.reference.values()[i] - frame.reference.values()[i]);
@@ -89,6 +92,7 @@ double run_planted_invalidation(TemporalMetric& metric) {
                                                 : HistoryCause::no_history;
         for (int x = 0; x < kSize.width; ++x) {
             last.to_previous.valid.at(x, y) = x < 10 ? 0.0f : 1.0f;
+            last.to_previous.appeared.at(x, y) = x < 10 ? 1.0f : 0.0f;
             last.reference.at(x, y) = x >= 10 && x < 20 ? 0.4f : 0.5f;
             last.history_state->at(x, y, static_cast<int>(HistoryChannel::cause)) =
                 static_cast<float>(cause);

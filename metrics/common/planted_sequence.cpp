@@ -91,6 +91,7 @@ PlantedFrame make_planted_frame(ImageSize size, PlantedMotion motion) {
             const bool is_disc = motion == PlantedMotion::rotating_disc;
             const bool valid = is_inside(size, before) && !(is_disc && is_near_edge(size, centre));
             frame.to_previous.valid.at(x, y) = valid ? 1.0f : 0.0f;
+            frame.to_previous.appeared.at(x, y) = is_inside(size, before) ? 0.0f : 1.0f;
             const double distance =
                 std::hypot(centre.x - 0.5 * size.width, centre.y - 0.5 * size.height);
             frame.moves.at(x, y) = is_disc && distance < get_disc_radius(size) ? 1.0f : 0.0f;

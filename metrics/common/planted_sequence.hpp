@@ -29,7 +29,8 @@ struct PlantedFrame {
 };
 
 /// All surface, test and reference 0.5, no halves. Valid where all four pixels of the bilinear
-/// fetch lie inside the image and on the same side of the disc's edge.
+/// fetch lie inside the image and on the same side of the disc's edge; appeared where they lie
+/// outside.
 [[nodiscard]] PlantedFrame make_planted_frame(ImageSize size, PlantedMotion motion);
 
 /// A point of the surface: where in frame 0 it is seen, in pixels, or would be seen outside.

@@ -95,13 +95,13 @@ class RecoveryFrames final : public TemporalMetric {
         ALCOVE_ASSERT(m_ages.size() == ages.size() && frame.earlier.front().steps == 1,
                       "the frame before was added too");
         const float* position = frame.earlier.front().correspondence.position.values().data();
-        const float* valid = frame.earlier.front().correspondence.valid.values().data();
+        const float* appeared = frame.earlier.front().correspondence.appeared.values().data();
         for (std::size_t i = 0; i < ages.size(); ++i) {
             if (surface[i] == 0.0f) {
                 continue;
             }
             ages[i] = 0;
-            if (valid[i] == 0.0f) {
+            if (appeared[i] != 0.0f) {
                 continue;
             }
             const int x = std::clamp(static_cast<int>(position[2 * i]), 0, width - 1);
@@ -214,6 +214,7 @@ double run_decay(TemporalMetric& metric, double keep) {
     for (int y = 0; y < kSize.height; ++y) {
         for (int x = 0; x < 8; ++x) {
             frames[kAppears].to_previous.valid.at(x, y) = 0.0f;
+            frames[kAppears].to_previous.appeared.at(x, y) = 1.0f;
         }
     }
     return get_last_planted_value(metric, frames);
