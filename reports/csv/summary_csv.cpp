@@ -125,6 +125,7 @@ void add_line(Table& table, const RunAnalysis& analysis, const RoundAnalysis& ro
     table.add("width", std::to_string(round.round.width));
     table.add("height", std::to_string(round.round.height));
     table.add("precision", round.round.precision);
+    table.add_flag("warm", round.round.warm);
     table.add("device_class", analysis.context.device_class);
     table.add("anchor_version", analysis.context.anchor_version);
     table.add("cell", cell.cell.id);

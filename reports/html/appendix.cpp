@@ -80,9 +80,10 @@ constexpr Definition kDefinitions[] = {
     {"Frame, ms", "Base G-buffer + input + AO + composition, added repeat by repeat."},
     {"[a, b] (n=6)",
      "95 % interval across n repeats. Under 5 repeats there is none: a..b are the extremes."},
-    {"Cold, converged",
-     "Cold: as replayed, history reset at the start of each segment; error tables take the bursts. "
-     "Converged: held still; error tables take the single frames."},
+    {"Cold, converged", "Cold: as replayed, history reset at the start of each segment, or "
+                        "converged on its first pose "
+                        "where a round says so; error tables take the bursts. "
+                        "Converged: held still; error tables take the single frames."},
     {"Debiased, floor",
      "The reference is the mean of two independent halves. Debiased errors are cross products of "
      "the "

@@ -31,6 +31,7 @@ constexpr std::array<Color, 3> kErrorScale{
     {{0.70f, 0.06f, 0.14f}, {0.92f, 0.92f, 0.92f}, {0.08f, 0.28f, 0.72f}}};
 constexpr int kAgeOfBlack = 32;
 constexpr int kSamplesRange = 64;
+constexpr const char* kErrorRange = "0.5";
 constexpr const char* kFlickerRange = "0.1";
 
 std::string write_color(const Color& color) {
@@ -58,7 +59,8 @@ std::string make_ramp(std::span<const Color> stops, std::string_view low, std::s
 
 std::string make_heat_legend(std::string_view kind, int film_frames) {
     if (kind == "error") {
-        return make_ramp(kErrorScale, "too dark", "too bright");
+        return make_ramp(kErrorScale, fmt::format("too dark by {}", kErrorRange),
+                         fmt::format("too bright by {}", kErrorRange));
     }
     if (kind == "flicker" || kind == "flicker_p95") {
         return make_ramp(kScale, "0", kFlickerRange);

@@ -132,7 +132,8 @@ std::string make_chart_notice() {
         return "<p class=\"notice\">charts are not built in: run <code>npm ci</code> and build "
                "again</p>\n";
     }
-    return "<p class=\"notice plain\">Charts, the picture viewer and the film need JavaScript. Every number "
+    return "<p class=\"notice plain\">Charts, the picture viewer and the film need JavaScript. "
+           "Every number "
            "they draw stands in "
            "the tables or in <code>samples.csv</code>.</p>\n";
 }

@@ -27,12 +27,12 @@ std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) 
         "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Errors "
         "against</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
         "bursts, {} singles, "
-        "{} repeats</dd></div><div><dt>Scene</dt><dd>{} triangles, AO radius {} m</dd></div>"
+        "{} repeats{}</dd></div><div><dt>Scene</dt><dd>{} triangles, AO radius {} m</dd></div>"
         "<div><dt>Precision</dt><dd>{}</dd></div></dl>\n",
         escape_html(record.walkthrough), record.width, record.height, escape_html(record.target),
         escape_html(record.reference.label), frames, bursts, record.segments.size() - bursts,
-        analysis.plan.repeats, record.scene_triangles, format_rounded(record.ao_radius_m),
-        escape_html(record.precision));
+        analysis.plan.repeats, record.warm ? ", histories converged on the first pose of each" : "",
+        record.scene_triangles, format_rounded(record.ao_radius_m), escape_html(record.precision));
 }
 
 std::string make_charts(const RoundAnalysis& round) {
@@ -45,10 +45,10 @@ std::string make_charts(const RoundAnalysis& round) {
         "median over repeats, band "
         "min..max. Bursts side by side.</small></figcaption></figure>\n"
         "<figure data-chart=\"errors\"><figcaption>Error over frames<small>Cold: "
-        "history starts empty in every burst. Dashed: reference "
-        "floor. Metrics over time and numbers of histories too.</small></figcaption></figure>\n"
+        "history starts {} in every burst. Dashed: reference floor. Metrics over time and numbers "
+        "of histories too.</small></figcaption></figure>\n"
         "</div>\n",
-        round.round.id);
+        round.round.id, round.round.warm ? "converged" : "empty");
 }
 
 std::string make_cost_note(const RoundAnalysis& round) {
@@ -103,8 +103,10 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
     if (!round.round.image_frames.empty()) {
         text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",
                             round.round.id);
-        text += "<p class=\"note\">Error map: red is too dark, blue too bright, light grey is "
-                "exact.</p>\n";
+        text +=
+            fmt::format("<p class=\"note\">The reference is {}. Error map: red is too dark, blue "
+                        "too bright, light grey is exact.</p>\n",
+                        escape_html(round.round.reference.label));
         text += make_picture_sheet(round, finder);
     }
     return text + make_over_time(analysis, round, finder) + make_detail_tables(analysis, round) +

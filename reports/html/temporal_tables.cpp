@@ -13,7 +13,8 @@ namespace alcove {
 namespace {
 
 std::string make_table(const std::string& head, const std::string& rows) {
-    return "<div class=\"scroll\"><table data-sortable><thead><tr><th class=\"name\">Method</th>" +
+    return "<div class=\"scroll\"><table class=\"wide\" data-sortable><thead><tr><th "
+           "class=\"name\">Method</th>" +
            head + "</tr></thead><tbody>\n" + rows + "</tbody></table></div>\n";
 }
 
@@ -141,7 +142,7 @@ std::string make_convergence_table(const RunAnalysis& analysis, const RoundAnaly
     std::string rows;
     for (std::size_t i = 0; i < round.cells.size(); ++i) {
         const CellAnalysis& cell = round.cells[i];
-        if (has_history(cell) && (cell.time_ms || cell.converged_time_ms)) {
+        if (has_history(cell) && cell.converged_time_ms) {
             rows += make_head_cell(cell, i) + make_estimate_cell(cell.time_ms) +
                     make_estimate_cell(cell.converged_time_ms) +
                     make_estimate_cell(cell.converged_share) + make_bars(cell, i, longest_ms) +

@@ -47,12 +47,36 @@ TEST(HtmlReport, SaysEverythingWithoutTheScript) {
     const TemporaryFolder folder;
     std::string page = write_page(synthetic::write_run(folder.path(), {}));
     page = page.substr(0, page.find("<script")); // the tables stand before
-    for (const char* part : {"complete: 2 rounds", "hemisphere_ssao:samples=64", "software",
-                             "llvmpipe", "timestamp_finish", "[2.4902, 2.5098] (n=6)",
-                             "&lt; 0.00400", "Not beaten in both time and error", "under 50 ticks",
-                             "input/motion", "time_elapsed", "refused", "its mesh is not here",
-                             "CC0-1.0", "Blind to:", "linear falloff is approximated",
-                             "command line", "A/A 1.0000", "reference floor 0.00400 rmse"}) {
+    for (const char* part : {"complete: 2 rounds",
+                             "hemisphere_ssao:samples=64",
+                             "software",
+                             "llvmpipe",
+                             "timestamp_finish",
+                             "[2.4902, 2.5098] (n=6)",
+                             "&lt; 0.00400",
+                             "Not beaten in both time and error",
+                             "under 50 ticks",
+                             "input/motion",
+                             "time_elapsed",
+                             "refused",
+                             "its mesh is not here",
+                             "CC0-1.0",
+                             "Blind to:",
+                             "linear falloff is approximated",
+                             "command line",
+                             "A/A 1.0000",
+                             "reference floor 0.00400 rmse",
+                             "Over time",
+                             "&times;255: 5.10",
+                             "&times;255: &lt; 0.510",
+                             "history_samples",
+                             "neither good nor bad",
+                             "11.5",
+                             "Cold against converged",
+                             "reference_ray_traced",
+                             "box lifts",
+                             "Its pictures were not kept",
+                             "<small>Balls on a floor</small>"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
     EXPECT_EQ(count(page, "<td class=\"absent\">not kept"), 2u * 3u * 4u * 5u); // none was written
@@ -89,6 +113,30 @@ TEST(HtmlReport, InProgressAndProvisionalAreMarked) {
     EXPECT_NE(page.find("provisional</span>"), std::string::npos);
     EXPECT_NE(page.find("12.5<small>(n=1)"), std::string::npos);
     EXPECT_NE(write_page(run).find("incomplete: 1 of 2 rounds"), std::string::npos);
+}
+
+TEST(HtmlReport, OneRoundIsNoRounds) {
+    const TemporaryFolder folder;
+    PlanRecord plan = synthetic::make_plan({.repeats = 1});
+    plan.rounds.resize(1);
+    RunFolder run = RunFolder::create(folder.path(), synthetic::make_context(), plan);
+    EXPECT_NE(write_page(run).find("incomplete: 0 of 1 round;"), std::string::npos);
+    run.finish_round("r0-balls", synthetic::make_samples(plan, plan.rounds[0]), {}, {});
+    const std::string page = write_page(run);
+    EXPECT_NE(page.find("complete: 1 round<"), std::string::npos);
+    EXPECT_EQ(page.find("temporal_flicker</th>"), std::string::npos); // no rows, no table
+}
+
+TEST(HtmlReport, TheFilmIsMadeOfFilesThatAreThere) {
+    const TemporaryFolder folder;
+    const RunFolder run = synthetic::write_run(folder.path(), {.images = true});
+    std::filesystem::remove(folder.path() / "images/r0-balls/tssao/0043_film_age.png");
+    const std::string page = write_page(run);
+    EXPECT_GT(count(page, "images/r0-balls/tssao/0042_film_age.png"), 0u);
+    EXPECT_EQ(count(page, "0043_film_age.png"), 0u);
+    EXPECT_EQ(count(page, "0040_film_temporal_flicker.png"), 0u); // none on the first frame
+    EXPECT_EQ(count(page, "film_missed_invalidation.png"), 0u);
+    EXPECT_EQ(count(page, "data-film="), 1u); // the second round has none
 }
 
 TEST(HtmlReport, AnEmptyRunHasAPage) {

@@ -170,11 +170,108 @@ const tests = {
     await close();
   },
 
+  async "the film is scrubbed by slider, keys and buttons, several kinds at once"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const film = page.locator('[data-film="r0-balls"]');
+    const sources = () => film.locator("img:visible").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
+    const path = (frame, kind, cell = "tssao") => `../images/r0-balls/${cell}/00${frame}_film_${kind}.png`;
+    await film.scrollIntoViewIfNeeded();
+    assert.deepEqual(await sources(), [path(40, "visibility"), path(40, "visibility", "reference"), path(40, "error"), path(40, "age"), path(40, "cause")]);
+    assert.equal(await film.locator(".missing:visible").count(), 1, "the first frame has no flicker");
+    await film.getByLabel("Frame of the film").fill("3");
+    assert.deepEqual((await sources())[3], path(43, "temporal_flicker"));
+    assert.equal(await film.locator(".film-position").textContent(), "frame 43 (4 of 8)");
+    await waitForImage(film.locator("img").first());
+    await film.focus();
+    await page.keyboard.press("ArrowRight");
+    assert.equal((await sources())[0], path(44, "visibility"));
+    await page.keyboard.press("End");
+    assert.equal((await sources())[0], path(47, "visibility"));
+    await page.keyboard.press("ArrowRight");
+    assert.equal((await sources())[0], path(47, "visibility"), "nothing lies behind the last frame");
+    await film.getByRole("button", { name: "First frame" }).click();
+    assert.equal((await sources())[0], path(40, "visibility"));
+
+    await film.getByRole("button", { name: "Samples a pixel" }).click();
+    await film.getByRole("button", { name: "Visibility" }).click();
+    assert.equal((await sources())[0], path(40, "visibility", "reference"));
+    assert.equal((await sources()).at(-1), path(40, "samples"));
+    await film.getByLabel("Method of the film").selectOption("hemisphere_ssao");
+    assert.deepEqual(await sources(), [path(40, "visibility", "reference"), path(40, "error", "hemisphere_ssao")]);
+    assert.equal(await film.getByRole("button", { name: "Age of the history" }).count(), 0, "it has no history");
+    assert.equal(await page.locator('[data-film="r1-courtyard"]').count(), 0, "the second round has no film");
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "the film plays to its end and stops, and says what happens"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const film = page.locator('[data-film="r0-balls"]');
+    const event = film.locator(".film-event");
+    assert.equal(await event.textContent(), "cut (frame 40)");
+    assert.deepEqual(await film.locator(".film-tick").evaluateAll((all) => all.map((tick) => tick.title)), ["cut", "box lifts"]);
+    await film.getByLabel("Frame of the film").fill("4");
+    assert.equal(await event.textContent(), "box lifts (frame 44)");
+    await film.getByLabel("Frames a second").selectOption("30");
+    const play = film.getByRole("button", { name: "Play", exact: true });
+    await play.click();
+    await film.getByText("frame 47 (8 of 8)").waitFor({ timeout: 5000 });
+    await play.waitFor({ timeout: 5000 }); // "Pause" while it runs
+    assert.equal(await event.textContent(), "box lifts (frame 44, 3 ago)");
+    await film.getByLabel("Frames a second").selectOption("2");
+    await play.click();
+    assert.equal(await film.locator(".film-position").textContent(), "frame 40 (1 of 8)", "it begins anew");
+    await film.getByRole("button", { name: "Pause" }).click();
+    assert.ok(await play.isVisible());
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "legends name the colours of the kinds that are shown"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const legends = page.locator("#round-r0-balls .film + .legends");
+    const age = legends.locator('[data-legend="age"]');
+    assert.match(await age.textContent(), /lost just now.*32 frames ago or more.*converged.*background/);
+    const chip = legends.locator('[data-legend="cause"] .chip').nth(2);
+    assert.equal(await chip.evaluate((element) => getComputedStyle(element).backgroundColor), "rgb(33, 102, 191)");
+    assert.equal(await legends.locator('[data-legend="samples"]').isVisible(), false);
+    await page.locator('[data-film="r0-balls"]').getByRole("button", { name: "Samples a pixel" }).click();
+    assert.ok(await legends.locator('[data-legend="samples"]').isVisible());
+    const maps = page.locator("#round-r0-balls .accumulated");
+    assert.equal(await maps.locator("img").count(), 4 + 2, "flicker of four methods, two maps of a history");
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
+  async "curves have metrics over time and marks where something happens"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "complete");
+    const section = page.locator("#round-r0-balls");
+    for (const name of ["times", "errors"]) {
+      const lines = section.locator(`[data-chart="${name}"] .event-line`);
+      assert.deepEqual(await lines.allTextContents(), ["ball rolls", "cut", "box lifts"], "what lies in a burst");
+      const places = await lines.evaluateAll((all) => all.map((line) => Number.parseFloat(line.style.left)));
+      assert.ok(places[0] > 0 && places[1] > places[0] && places[2] > places[1], `marks at ${places}`);
+    }
+    const errors = section.locator('[data-chart="errors"]');
+    const before = await readCanvas(errors.locator("canvas"));
+    for (const metric of ["temporal_flicker", "recovery_frames", "history_samples"]) {
+      await errors.getByLabel("Metric").selectOption(metric);
+      const drawn = await readCanvas(errors.locator("canvas"));
+      assert.notEqual(drawn.sum, before.sum);
+      assert.ok(drawn.drawn > 2000, `${metric} is drawn`);
+      assert.equal(await errors.locator(".event-line").count(), 3);
+    }
+    assert.equal(await section.locator('[data-chart="scatter"] option[value="temporal_flicker"]').count(), 0);
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
   async "hostile texts stay texts, progress and provisional times are marked"(browser, folder) {
     const { page, troubles, close } = await openReport(browser, folder, "hostile");
     assert.notEqual(await page.title(), "owned");
     assert.equal(await page.locator('img[src="x"]').count(), 0);
-    for (const place of [".verdict", "table.summary", ".legend", "#definitions", "#skipped", ".viewer select"]) {
+    for (const place of [".verdict", "table.summary", ".legend", "#definitions", "#skipped", ".viewer select", ".film select",
+      ".film-event", ".event-line", ".events", "table.wide", ".facts"]) {
       const text = await page.locator(place).first().textContent();
       assert.ok(text.includes("<img src=x onerror=") && text.includes("</script>"), `${place} shows the text`);
     }
@@ -196,6 +293,12 @@ const tests = {
     assert.equal(await sheet.locator("img").count(), 4 * 5);
     assert.ok(await page.getByText("need JavaScript").isVisible());
     assert.equal(await page.locator(".charts").first().isVisible(), false);
+    assert.match(await page.locator("#round-r0-balls .over-time table").first().textContent(), /temporal_flicker/);
+    const film = page.locator("#round-r0-balls .sheet[open]", { hasText: "Film, frame 47" });
+    assert.equal(await film.locator("img").count(), 4 * 4 + 4, "four kinds of all methods, four of a history");
+    assert.ok(await film.locator("img").first().isVisible());
+    assert.ok(await page.locator('#round-r0-balls [data-legend="samples"]').first().isVisible());
+    await checkNoOverflow(page);
     await page.locator("#round-r0-balls summary", { hasText: "Passes" }).click();
     assert.ok(await page.getByText("tssao/occlusion").first().isVisible());
     assert.deepEqual(troubles, []);
