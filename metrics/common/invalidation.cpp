@@ -2,6 +2,7 @@
 
 #include "core/base/history_state.hpp"
 #include "metrics/common/planted_sequence.hpp"
+#include "metrics/common/truth_change.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +39,7 @@ Truth judge(const TemporalFrame& frame, std::size_t i, const TruthThresholds& th
     const auto b =
         static_cast<double>(earlier.reference_b->values()[i] - frame.reference_b->values()[i]);
     const bool agree =
-        (a > 0.0) == (b > 0.0) && std::min(std::abs(a), std::abs(b)) > 0.5 * thresholds.changed;
+        (a > 0.0) == (b > 0.0) && std::min(std::abs(a), std::abs(b)) > 0.5 * std::abs(change);
     return agree ? Truth::changed : Truth::unsure;
 }
 
@@ -53,6 +54,9 @@ std::optional<MetricResult> measure_history_share(const TemporalFrame& frame,
         return std::nullopt;
     }
     ALCOVE_ASSERT(frame.earlier.front().steps == 1, "the frame before");
+    TruthThresholds clear = thresholds;
+    clear.changed = static_cast<double>(
+        find_change_threshold(frame, frame.earlier.first(1), thresholds.changed));
     MetricResult result;
     result.map = Image(frame.test.size(), 1);
     const float* state = frame.history_state->values().data();
@@ -61,7 +65,7 @@ std::optional<MetricResult> measure_history_share(const TemporalFrame& frame,
     for (std::size_t i = 0; i < frame.test.values().size(); ++i) {
         const float cause =
             state[kStateChannels * i + static_cast<std::size_t>(HistoryChannel::cause)];
-        if (judge(frame, i, thresholds) != which ||
+        if (judge(frame, i, clear) != which ||
             cause == static_cast<float>(HistoryCause::no_history)) {
             continue;
         }
@@ -71,10 +75,11 @@ std::optional<MetricResult> measure_history_share(const TemporalFrame& frame,
             result.map->values()[i] = 1.0f;
         }
     }
-    if (asked == 0) {
-        result.undefined_reason = which == Truth::changed
-                                      ? "truth changes at no point with a history"
-                                      : "truth stays at no point with a history";
+    if (asked < static_cast<std::size_t>(std::max(thresholds.least_pixels, 1))) {
+        result.undefined_reason = std::string("truth ") +
+                                  (which == Truth::changed ? "changes" : "stays") + " at " +
+                                  std::to_string(asked) + " points with a history, " +
+                                  std::to_string(thresholds.least_pixels) + " are needed";
         return result;
     }
     result.value = static_cast<double>(found) / static_cast<double>(asked);

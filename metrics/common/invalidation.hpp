@@ -13,16 +13,18 @@ enum class Truth {
     unchanged ///< it was visible, and its reference is the same
 };
 
-/// Of warp(ref_(t-1)) - ref_t. Changed: |.| above `changed` and, with halves, both of one sign and
-/// above half of `changed`. Unchanged: |.| under `unchanged`.
+/// Of warp(ref_(t-1)) - ref_t. Changed: |.| above `changed` and, with halves, clear of the
+/// reference's noise (find_change_threshold) and both of one sign and above half of it. Unchanged:
+/// |.| under `unchanged`.
 struct TruthThresholds {
     double changed = 0.02;
     double unchanged = 0.01;
+    int least_pixels = 1; ///< with fewer such pixels the share is undefined
 };
 
 /// The share of surface pixels of which truth says `which` whose history was kept (`kept` true) or
 /// not (false). Pixels whose cause is no_history are left out: there was nothing to keep. Nothing
-/// on a first frame and for methods without history; undefined where there is no such pixel. Map: 1
+/// on a first frame and for methods without history; undefined under `least_pixels`. Map: 1
 /// where the pixel is one of the share, else 0. Throws InputError as check_temporal_frame does.
 [[nodiscard]] std::optional<MetricResult> measure_history_share(const TemporalFrame& frame,
                                                                 std::string_view metric,

@@ -10,6 +10,7 @@ namespace {
 
 struct MissedParameters {
     double change = 0.02;
+    int least_pixels = 64;
 };
 
 ParameterTable describe_missed_parameters() {
@@ -21,7 +22,15 @@ ParameterTable describe_missed_parameters() {
              .unit("value")
              .meaning(
                  "How much truth must have changed at a point that was visible; with halves of the "
-                 "reference each must change by half as much, the same way.")
+                 "reference more than 4 times its noise, and each half by half as much, the same "
+                 "way.")
+             .source("ours"),
+         integer(&MissedParameters::least_pixels, "least_pixels")
+             .range(1, 1e6)
+             .log_scale()
+             .unit("px")
+             .meaning("With fewer changed pixels the value is undefined: a few are the "
+                      "reference's noise.")
              .source("ours")});
 }
 
@@ -34,6 +43,7 @@ class MissedInvalidation final : public TemporalMetric {
     std::optional<MetricResult> add(const TemporalFrame& frame) override {
         TruthThresholds thresholds;
         thresholds.changed = m_parameters.change;
+        thresholds.least_pixels = m_parameters.least_pixels;
         thresholds.unchanged = std::min(thresholds.unchanged, thresholds.changed);
         return measure_history_share(frame, "missed_invalidation", thresholds, Truth::changed,
                                      true);
@@ -54,10 +64,11 @@ MetricUnit missed_invalidation_unit() {
         "Share of the surface pixels where truth has changed whose history was kept (cause "
         "`kept`). "
         "Changed: not visible one frame ago, or |ref_t - warp(ref_(t-1))| above `change` and, with "
-        "halves of the reference, both halves of one sign and above half of `change`. Pixels "
-        "without "
-        "history (cause `no_history`) are left out. No result on a first frame and for methods "
-        "without a history state; undefined where truth changes nowhere. History that is kept in "
+        "halves of the reference, above 4 times the noise of the difference and both halves of one "
+        "sign and above half of it. Pixels without history (cause `no_history`) are left out. No "
+        "result on a first frame and for methods "
+        "without a history state; undefined where truth changes at fewer than `least_pixels` "
+        "pixels. History that is kept in "
         "part counts as lost, as its cause says.";
     unit.blind_to =
         "whether the kept history did harm, changes of truth that are older than one frame, and "
