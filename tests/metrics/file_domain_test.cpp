@@ -3,32 +3,24 @@
 #include "core/base/image_file.hpp"
 #include "metrics/registry.hpp"
 #include "metrics/ssim/ssim.hpp"
+#include "tests/harness/temporary_folder.hpp"
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 
 namespace alcove {
 namespace {
 
-namespace fs = std::filesystem;
-
 class FileDomainTest : public testing::Test {
   protected:
-    FileDomainTest() {
-        std::string name = (fs::temp_directory_path() / "alcove-domain-XXXXXX").string();
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~FileDomainTest() override { fs::remove_all(m_folder); }
-
     /// A metric over two visibility images that went through files: EXR as linear visibility, PNG
     /// as sRGB codes of it.
     double evaluate(const std::string& name, const Image& test, const Image& reference,
                     bool as_png) {
         const auto store = [&](const Image& image, const char* file) {
-            const fs::path path = m_folder / (std::string(file) + (as_png ? ".png" : ".exr"));
+            const std::filesystem::path path =
+                m_folder.path() / (std::string(file) + (as_png ? ".png" : ".exr"));
             if (as_png) {
                 write_png(path, encode_view(image), Domain::view);
             } else {
@@ -48,7 +40,7 @@ class FileDomainTest : public testing::Test {
     }
 
   private:
-    fs::path m_folder;
+    TemporaryFolder m_folder;
 };
 
 Image make_visibility(float phase, float depth) {
