@@ -1,9 +1,12 @@
 // The contract of DESIGN 2 over every registered metric.
 #include "core/base/error.hpp"
-#include "core/contract/metric.hpp"
+#include "core/base/history_state.hpp"
+#include "core/contract/temporal_metric.hpp"
+#include "metrics/common/planted_sequence.hpp"
 #include "metrics/registry.hpp"
 
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -16,18 +19,17 @@ std::vector<MetricUnit> list_metrics() {
     return {registry.units().begin(), registry.units().end()};
 }
 
-Image make_image(int channels = 1, ImageSize size = {48, 40}) {
-    Image image(size, channels);
-    for (std::size_t i = 0; i < image.values().size(); ++i) {
-        image.values()[i] = static_cast<float>((i * 37) % 101) / 101.0f;
+std::vector<MetricUnit> list_metrics(bool temporal) {
+    std::vector<MetricUnit> chosen;
+    for (const MetricUnit& unit : list_metrics()) {
+        if (unit.is_temporal() == temporal) {
+            chosen.push_back(unit);
+        }
     }
-    return image;
+    return chosen;
 }
 
-class MetricContract : public testing::TestWithParam<MetricUnit> {
-  protected:
-    std::unique_ptr<Metric> m_metric = GetParam().create(GetParam().parameters.resolve({}, {}));
-};
+class MetricContract : public testing::TestWithParam<MetricUnit> {};
 
 TEST_P(MetricContract, DescriptionIsComplete) {
     const MetricUnit& unit = GetParam();
@@ -37,11 +39,33 @@ TEST_P(MetricContract, DescriptionIsComplete) {
     EXPECT_FALSE(unit.definition.empty());
     EXPECT_FALSE(unit.blind_to.empty());
     EXPECT_EQ(unit.content_hash.size(), 64u);
-    EXPECT_FALSE(unit.checks.empty());
     EXPECT_LT(unit.minimum, unit.maximum);
 }
 
-TEST_P(MetricContract, AnImageAgainstItselfIsTheBestValue) {
+TEST_P(MetricContract, IsOfImagesOrOverTimeAndHasTheChecksOfItsKind) {
+    const MetricUnit& unit = GetParam();
+    EXPECT_NE(static_cast<bool>(unit.create), static_cast<bool>(unit.create_temporal));
+    EXPECT_EQ(unit.checks.empty(), unit.is_temporal());
+    EXPECT_EQ(unit.temporal_checks.empty(), !unit.is_temporal());
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MetricContract, testing::ValuesIn(list_metrics()),
+                         [](const auto& unit) { return unit.param.name; });
+
+Image make_image(int channels = 1, ImageSize size = {48, 40}) {
+    Image image(size, channels);
+    for (std::size_t i = 0; i < image.values().size(); ++i) {
+        image.values()[i] = static_cast<float>((i * 37) % 101) / 101.0f;
+    }
+    return image;
+}
+
+class ImageMetricContract : public testing::TestWithParam<MetricUnit> {
+  protected:
+    std::unique_ptr<Metric> m_metric = GetParam().create(GetParam().parameters.resolve({}, {}));
+};
+
+TEST_P(ImageMetricContract, AnImageAgainstItselfIsTheBestValue) {
     const Image image = make_image();
     const MetricResult result = m_metric->evaluate({image, image});
     EXPECT_EQ(result.value.has_value(), GetParam().best.has_value());
@@ -52,7 +76,7 @@ TEST_P(MetricContract, AnImageAgainstItselfIsTheBestValue) {
     }
 }
 
-TEST_P(MetricContract, WorseImagesScoreWorse) {
+TEST_P(ImageMetricContract, WorseImagesScoreWorse) {
     const Image reference = make_image();
     std::vector<double> values;
     for (const float noise : {0.05f, 0.1f, 0.2f}) {
@@ -67,7 +91,7 @@ TEST_P(MetricContract, WorseImagesScoreWorse) {
     EXPECT_LT(sign * values[1], sign * values[2]);
 }
 
-TEST_P(MetricContract, ADifferentSizeThrows) {
+TEST_P(ImageMetricContract, ADifferentSizeThrows) {
     const Image a = make_image();
     const Image b = make_image(1, {48, 41});
     const Image c = make_image(3);
@@ -75,7 +99,7 @@ TEST_P(MetricContract, ADifferentSizeThrows) {
     EXPECT_THROW(static_cast<void>(m_metric->evaluate({a, c})), InputError);
 }
 
-TEST_P(MetricContract, NanAndInfinityThrow) {
+TEST_P(ImageMetricContract, NanAndInfinityThrow) {
     const Image good = make_image();
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
@@ -94,7 +118,7 @@ TEST_P(MetricContract, NanAndInfinityThrow) {
     }
 }
 
-TEST_P(MetricContract, CheckValuesHold) {
+TEST_P(ImageMetricContract, CheckValuesHold) {
     for (const MetricCheck& check : GetParam().checks) {
         const Image test = check.make_test();
         const Image reference = check.make_reference();
@@ -105,7 +129,7 @@ TEST_P(MetricContract, CheckValuesHold) {
     }
 }
 
-TEST_P(MetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
+TEST_P(ImageMetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
     const Image a = make_image();
     Image b = a;
     b.at(10, 10) = 0.9f;
@@ -117,7 +141,195 @@ TEST_P(MetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, MetricContract, testing::ValuesIn(list_metrics()),
+INSTANTIATE_TEST_SUITE_P(All, ImageMetricContract, testing::ValuesIn(list_metrics(false)),
+                         [](const auto& unit) { return unit.param.name; });
+
+constexpr ImageSize kSequenceSize{48, 36};
+
+/// A pan over a truth that stands in the upper half and swings in the lower, with the history state
+/// of a method that drops what has changed and nothing else. The test is truth.
+std::vector<PlantedFrame> plant_perfect_sequence() {
+    constexpr PlantedMotion kMotion = PlantedMotion::pan_one_pixel;
+    std::vector<PlantedFrame> frames(12, make_planted_frame(kSequenceSize, kMotion));
+    for (std::size_t t = 0; t < frames.size(); ++t) {
+        PlantedFrame& frame = frames[t];
+        frame.history_state = Image(kSequenceSize, 4, 1.0f);
+        for (int y = 0; y < kSequenceSize.height; ++y) {
+            for (int x = 0; x < kSequenceSize.width; ++x) {
+                const PlantedPoint point =
+                    find_planted_point(kSequenceSize, kMotion, static_cast<int>(t), x, y);
+                const bool swings = 2 * y >= kSequenceSize.height;
+                // By 0.05 a frame, and back by 0.2 every fifth.
+                const double swing = swings ? 0.05 * static_cast<double>(t % 5) : 0.0;
+                frame.reference.at(x, y) =
+                    static_cast<float>(0.4 + 0.2 * std::sin(0.3 * point.x) + swing);
+                const HistoryCause cause = t == 0 ? HistoryCause::no_history
+                                           : frame.to_previous.appeared.at(x, y) != 0.0f
+                                               ? HistoryCause::off_screen
+                                           : swings ? HistoryCause::neighbourhood
+                                                    : HistoryCause::kept;
+                frame.history_state->at(x, y, static_cast<int>(HistoryChannel::cause)) =
+                    static_cast<float>(cause);
+            }
+        }
+        frame.test = frame.reference;
+    }
+    return frames;
+}
+
+/// The same with errors and a history state that is wrong here and there.
+std::vector<PlantedFrame> plant_faulty_sequence() {
+    std::vector<PlantedFrame> frames = plant_perfect_sequence();
+    for (std::size_t t = 0; t < frames.size(); ++t) {
+        add_scaled(frames[t].test, make_planted_noise(kSequenceSize, static_cast<std::uint32_t>(t)),
+                   0.1);
+        for (int x = 0; x < kSequenceSize.width; x += 3) {
+            for (int y = 0; y < kSequenceSize.height; ++y) {
+                frames[t].history_state->at(x, y, static_cast<int>(HistoryChannel::cause)) =
+                    static_cast<float>(x % 2 == 0 ? HistoryCause::kept
+                                                  : HistoryCause::disocclusion);
+            }
+        }
+    }
+    return frames;
+}
+
+/// All that one frame hands to a metric, good as it is made.
+struct FrameParts {
+    Image test{kSequenceSize, 1, 0.5f};
+    Image reference{kSequenceSize, 1, 0.5f};
+    Image half_a{kSequenceSize, 1, 0.5f};
+    Image half_b{kSequenceSize, 1, 0.5f};
+    Image surface{kSequenceSize, 1, 1.0f};
+    Image moves{kSequenceSize, 1};
+    Image history_state{kSequenceSize, 4, 1.0f};
+    EarlierFrame earlier{1, make_identity_correspondence(kSequenceSize),
+                         Image(kSequenceSize, 1, 0.5f), Image(kSequenceSize, 1, 0.5f),
+                         Image(kSequenceSize, 1, 0.5f)};
+};
+
+class TemporalMetricContract : public testing::TestWithParam<MetricUnit> {
+  protected:
+    /// A first frame, then this one.
+    void feed(const FrameParts& parts) {
+        const FrameParts first;
+        m_metric->reset();
+        static_cast<void>(m_metric->add({first.test,
+                                         first.reference,
+                                         &first.half_a,
+                                         &first.half_b,
+                                         {},
+                                         first.surface,
+                                         first.moves,
+                                         &first.history_state}));
+        static_cast<void>(m_metric->add({parts.test, parts.reference, &parts.half_a, &parts.half_b,
+                                         std::span(&parts.earlier, 1), parts.surface, parts.moves,
+                                         &parts.history_state, true}));
+    }
+    void expect_best(const std::vector<PlantedFrame>& frames) {
+        for (const std::optional<MetricResult>& result : follow_planted(*m_metric, frames)) {
+            if (!result) {
+                continue;
+            }
+            if (!result->value) {
+                EXPECT_FALSE(result->undefined_reason.empty());
+                continue;
+            }
+            ASSERT_TRUE(GetParam().best) << "a value where the unit says that there is none";
+            EXPECT_NEAR(*result->value, *GetParam().best, 1e-6);
+        }
+    }
+
+    std::unique_ptr<TemporalMetric> m_metric =
+        GetParam().create_temporal(GetParam().parameters.resolve({}, {}));
+};
+
+TEST_P(TemporalMetricContract, TruthIsTheBestValueOrHasAReasonForNone) {
+    expect_best(plant_perfect_sequence());
+    expect_best(std::vector<PlantedFrame>(
+        12, make_planted_frame(kSequenceSize, PlantedMotion::rotating_disc)));
+}
+
+TEST_P(TemporalMetricContract, ValuesStayInTheirRangeAndTheLastFrameIsSpokenOf) {
+    const auto results = follow_planted(*m_metric, plant_faulty_sequence());
+    EXPECT_TRUE(results.back().has_value());
+    for (const std::optional<MetricResult>& result : results) {
+        if (result && result->value) {
+            EXPECT_GE(*result->value, GetParam().minimum);
+            EXPECT_LE(*result->value, GetParam().maximum);
+        } else if (result) {
+            EXPECT_FALSE(result->undefined_reason.empty());
+        }
+    }
+}
+
+TEST_P(TemporalMetricContract, ResetMakesASequenceRepeatItsValues) {
+    const std::vector<PlantedFrame> frames = plant_faulty_sequence();
+    const auto first = follow_planted(*m_metric, frames);
+    // Another sequence, broken off; follow_planted resets before each.
+    static_cast<void>(follow_planted(
+        *m_metric, std::vector<PlantedFrame>(frames.begin() + 2, frames.begin() + 7)));
+    const auto again = follow_planted(*m_metric, frames);
+    for (std::size_t t = 0; t < frames.size(); ++t) {
+        ASSERT_EQ(again[t].has_value(), first[t].has_value()) << t;
+        if (first[t]) {
+            EXPECT_EQ(again[t]->value, first[t]->value) << t;
+            EXPECT_EQ(again[t]->undefined_reason, first[t]->undefined_reason) << t;
+            EXPECT_EQ(again[t]->debiased, first[t]->debiased) << t;
+            EXPECT_EQ(again[t]->floor, first[t]->floor) << t;
+            EXPECT_EQ(again[t]->map.has_value(), first[t]->map.has_value()) << t;
+            if (first[t]->map && again[t]->map) {
+                EXPECT_EQ(first[t]->map->size(), kSequenceSize) << "a map has the frame's size";
+                EXPECT_EQ(hash_image(*again[t]->map), hash_image(*first[t]->map)) << t;
+            }
+        }
+    }
+}
+
+TEST_P(TemporalMetricContract, NanAndInfinityThrow) {
+    EXPECT_NO_THROW(feed({}));
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        FrameParts parts;
+        parts.test.at(3, 4) = bad;
+        EXPECT_THROW(feed(parts), InputError);
+    }
+}
+
+TEST_P(TemporalMetricContract, WrongSizesAndChannelsThrow) {
+    const std::vector<std::function<Image*(FrameParts&)>> images{
+        [](FrameParts& parts) { return &parts.test; },
+        [](FrameParts& parts) { return &parts.reference; },
+        [](FrameParts& parts) { return &parts.half_a; },
+        [](FrameParts& parts) { return &parts.half_b; },
+        [](FrameParts& parts) { return &parts.surface; },
+        [](FrameParts& parts) { return &parts.moves; },
+        [](FrameParts& parts) { return &parts.history_state; },
+        [](FrameParts& parts) { return &parts.earlier.reference; },
+        [](FrameParts& parts) { return &parts.earlier.correspondence.position; },
+        [](FrameParts& parts) { return &parts.earlier.correspondence.valid; },
+        [](FrameParts& parts) { return &parts.earlier.correspondence.appeared; },
+    };
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        FrameParts narrow;
+        Image& cut = *images[i](narrow);
+        cut = Image({kSequenceSize.width - 1, kSequenceSize.height}, cut.channels());
+        EXPECT_THROW(feed(narrow), InputError) << i;
+        FrameParts deep;
+        Image& more = *images[i](deep);
+        more = Image(kSequenceSize, more.channels() + 1);
+        EXPECT_THROW(feed(deep), InputError) << i;
+    }
+}
+
+TEST_P(TemporalMetricContract, CheckValuesHold) {
+    for (const TemporalCheck& check : GetParam().temporal_checks) {
+        EXPECT_NEAR(check.run(*m_metric), check.expected, check.tolerance)
+            << check.name << ": " << check.source;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, TemporalMetricContract, testing::ValuesIn(list_metrics(true)),
                          [](const auto& unit) { return unit.param.name; });
 
 } // namespace
