@@ -5,6 +5,7 @@
 #include "core/base/text.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/core.h>
 
@@ -18,9 +19,12 @@ std::string fold(const char* title, const std::string& body) {
 
 std::string make_error_rows(const CellAnalysis& cell, std::size_t index) {
     std::string text;
-    for (const SampleState state : {SampleState::cold, SampleState::converged}) {
-        for (const MetricAnalysis& error :
-             state == SampleState::cold ? cell.cold : cell.converged) {
+    const std::pair<const std::vector<MetricAnalysis>*, SampleState> tables[] = {
+        {&cell.cold, SampleState::cold},
+        {&cell.converged, SampleState::converged},
+        {&cell.temporal, SampleState::cold}};
+    for (const auto& [errors, state] : tables) {
+        for (const MetricAnalysis& error : *errors) {
             if (error.frames == 0 && error.undefined == 0) {
                 continue;
             }
@@ -33,10 +37,10 @@ std::string make_error_rows(const CellAnalysis& cell, std::size_t index) {
                               : "<td class=\"absent\">&ndash;</td>";
             };
             if (error.frames == 0) {
-                text += fmt::format(
-                    "<td class=\"absent\" colspan=\"4\">undefined on all {} frames: {}</td>"
-                    "<td>0</td></tr>\n",
-                    error.undefined, escape_html(error.note));
+                text +=
+                    fmt::format("<td class=\"absent\" colspan=\"4\">undefined on {} frames: {}</td>"
+                                "<td>0</td></tr>\n",
+                                error.undefined, escape_html(error.note));
                 continue;
             }
             add(error.value);

@@ -46,6 +46,20 @@ std::string make_legends(const std::vector<PictureKind>& kinds, int film_frames)
     return "<ul class=\"legends\">\n" + items + "</ul>\n";
 }
 
+/// Those of `kinds` that some method has on a frame.
+std::vector<PictureKind> list_kept_kinds(const RoundAnalysis& round, const PictureFinder& finder,
+                                         int frame, const std::vector<PictureKind>& kinds) {
+    const std::vector<const CellAnalysis*> cells = list_pictured_cells(round);
+    std::vector<PictureKind> kept;
+    std::copy_if(
+        kinds.begin(), kinds.end(), std::back_inserter(kept), [&](const PictureKind& kind) {
+            return std::any_of(cells.begin(), cells.end(), [&](const CellAnalysis* cell) {
+                return finder.find_url(round.round.id, cell->cell.id, frame, kind).has_value();
+            });
+        });
+    return kept;
+}
+
 std::string make_accumulated_maps(const RoundAnalysis& round, const PictureFinder& finder) {
     const SegmentRecord& film = round.round.film;
     const std::vector<PictureKind> kinds =
@@ -74,19 +88,6 @@ const std::vector<PictureKind>& list_film_kinds() {
         {"false", "False invalidation", false, "film_false_invalidation"},
     };
     return kKinds;
-}
-
-std::vector<PictureKind> list_kept_kinds(const RoundAnalysis& round, const PictureFinder& finder,
-                                         int frame, const std::vector<PictureKind>& kinds) {
-    const std::vector<const CellAnalysis*> cells = list_pictured_cells(round);
-    std::vector<PictureKind> kept;
-    std::copy_if(
-        kinds.begin(), kinds.end(), std::back_inserter(kept), [&](const PictureKind& kind) {
-            return std::any_of(cells.begin(), cells.end(), [&](const CellAnalysis* cell) {
-                return finder.find_url(round.round.id, cell->cell.id, frame, kind).has_value();
-            });
-        });
-    return kept;
 }
 
 std::string make_film_block(const RoundAnalysis& round, const PictureFinder& finder) {

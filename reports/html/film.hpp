@@ -12,11 +12,6 @@ namespace alcove {
 /// Kinds of pictures that every frame of a film can have.
 [[nodiscard]] const std::vector<PictureKind>& list_film_kinds();
 
-/// Those of `kinds` that some method has on a frame.
-[[nodiscard]] std::vector<PictureKind> list_kept_kinds(const RoundAnalysis& round,
-                                                       const PictureFinder& finder, int frame,
-                                                       const std::vector<PictureKind>& kinds);
-
 /// The player's place, legends, sheets of a few frames and the maps accumulated over the film;
 /// empty if the round has no film.
 [[nodiscard]] std::string make_film_block(const RoundAnalysis& round, const PictureFinder& finder);

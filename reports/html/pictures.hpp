@@ -11,7 +11,7 @@
 
 namespace alcove {
 
-/// One kind of picture of the viewer and the sheet.
+/// One kind of picture of the viewer, the film and their sheets.
 struct PictureKind {
     const char* key; ///< what the front end calls it
     const char* title;

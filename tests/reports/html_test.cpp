@@ -73,6 +73,7 @@ TEST(HtmlReport, SaysEverythingWithoutTheScript) {
                              "neither good nor bad",
                              "11.5",
                              "Cold against converged",
+                             "nothing came into view",
                              "reference_ray_traced",
                              "box lifts",
                              "Its pictures were not kept",
