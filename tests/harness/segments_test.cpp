@@ -120,5 +120,28 @@ TEST(Segments, NoPictureIsKeptTwice) {
     }
 }
 
+TEST(Segments, TheFilmIsTheMiddleBurst) {
+    const SegmentRecord film = choose_film(make_default_segments(120));
+    EXPECT_EQ(film.begin, 52);
+    EXPECT_EQ(film.end, 68);
+    // Of two the later; singles are not counted.
+    EXPECT_EQ(choose_film({{3, 4}, {0, 5}, {7, 8}, {10, 14}, {20, 21}}).begin, 10);
+}
+
+TEST(Segments, TheFilmIsCutAtItsLongest) {
+    const SegmentRecord film = choose_film({{7, 7 + kMostFilmFrames + 1}});
+    EXPECT_EQ(film.begin, 7);
+    EXPECT_EQ(film.end, 7 + kMostFilmFrames);
+    EXPECT_EQ(choose_film({{7, 7 + kMostFilmFrames}}).end, 7 + kMostFilmFrames);
+}
+
+TEST(Segments, WithoutABurstThereIsNoFilm) {
+    for (const std::vector<SegmentRecord>& segments :
+         {std::vector<SegmentRecord>{}, std::vector<SegmentRecord>{{3, 4}, {5, 6}}}) {
+        const SegmentRecord film = choose_film(segments);
+        EXPECT_EQ(film.begin, film.end);
+    }
+}
+
 } // namespace
 } // namespace alcove
