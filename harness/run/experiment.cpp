@@ -49,7 +49,8 @@ ImageSize parse_size(std::string_view text) {
 std::vector<MethodSpec> make_default_methods() {
     return {parse_method_spec("none"), parse_method_spec("hemisphere_ssao"),
             parse_method_spec("hemisphere_ssao@strong_blur"),
-            parse_method_spec("hemisphere_ssao:samples=64,blur_radius=0")};
+            parse_method_spec("hemisphere_ssao:samples=64,blur_radius=0"),
+            parse_method_spec("tssao")};
 }
 
 } // namespace alcove

@@ -1,0 +1,119 @@
+#include "tests/methods/scene_shots.hpp"
+
+#include "core/base/text.hpp"
+#include "methods/registry.hpp"
+#include "scenes/registry.hpp"
+
+#include <cmath>
+
+namespace alcove {
+namespace {
+
+std::vector<ParameterOverride> read_settings(const std::string& settings) {
+    std::vector<ParameterOverride> overrides;
+    if (!settings.empty()) {
+        for (const KeyValue& entry : parse_key_values(settings, "settings")) {
+            overrides.push_back({entry.key, entry.value});
+        }
+    }
+    return overrides;
+}
+
+std::unique_ptr<Scene> open(const std::string& name, const std::string& settings) {
+    const Registry<SceneUnit> registry = scenes_registry();
+    const SceneUnit& unit = registry.find(name);
+    ALCOVE_ASSERT(!unit.find_obstacle(), "a scene that can be opened");
+    return unit.open(unit.parameters.resolve(read_settings(settings), {}));
+}
+
+} // namespace
+
+SceneShots::SceneShots(gl::Context& context, const std::string& scene, const std::string& settings,
+                       ImageSize size)
+    : m_context(context), m_size(size), m_scene(open(scene, settings)),
+      m_renderer(context.functions(), *m_scene) {}
+
+std::unique_ptr<Method> SceneShots::make_method(const std::string& specification) const {
+    const std::size_t colon = specification.find(':');
+    const std::string name = specification.substr(0, colon);
+    const std::size_t at = name.find('@');
+    const Registry<MethodUnit> registry = methods_registry();
+    const MethodUnit& unit = registry.find(name.substr(0, at));
+    std::vector<ParameterOverride> overrides =
+        unit.find_preset(at == std::string::npos ? "default" : name.substr(at + 1)).overrides;
+    for (const ParameterOverride& own :
+         read_settings(colon == std::string::npos ? "" : specification.substr(colon + 1))) {
+        overrides.push_back(own);
+    }
+    const ResolvedParameters resolved =
+        unit.parameters.resolve(overrides, {{"scene_radius", m_scene->get_ao_radius_m()}});
+    std::unique_ptr<Method> method = unit.create(m_context, resolved);
+    method->resize(m_size);
+    return method;
+}
+
+FrameView SceneShots::get_view(int frame, bool starts_segment) const {
+    FrameView view = make_frame_view(m_scene->get_walkthrough(), frame, m_size, starts_segment);
+    detect_motion(*m_scene, view);
+    return view;
+}
+
+const GBuffer& SceneShots::draw(const MethodRequests& requests, const FrameView& view) {
+    const Border border = make_border(m_size, requests.border);
+    const ChannelSet channels = kBaseChannels | requests.channels;
+    const FrameView extended = extend(view, border);
+    const auto [found, _] = m_gbuffers.try_emplace({channels, border}, m_context.functions(),
+                                                   extended.size, channels, Precision{});
+    m_context.reset_state();
+    m_renderer.render(found->second, extended);
+    return found->second;
+}
+
+SceneShots::Shot SceneShots::shoot(Method& method, const FrameView& view, std::uint32_t seed) {
+    const MethodRequests requests = method.get_requests();
+    const GBuffer& gbuffer = draw(requests, view);
+    const FrameView extended = extend(view, make_border(m_size, requests.border));
+    MethodInputs inputs{extended, gbuffer};
+    inputs.noise_seed = seed;
+    inputs.wants_history_state = true;
+    PassRecorder passes(PassTiming::none);
+    m_context.reset_state();
+    const MethodOutput output = method.render(inputs, passes);
+    Shot shot;
+    shot.visibility = gl::read_texture(m_context.functions(), *output.visibility, 1);
+    if (output.history_state != nullptr) {
+        shot.history_state = gl::read_texture(m_context.functions(), *output.history_state, 4);
+    }
+    m_context.check_errors();
+    return shot;
+}
+
+SceneShots::Shot SceneShots::converge(Method& method, int frame, int frames) {
+    method.reset_history();
+    const FrameView first = get_view(frame, true);
+    Shot shot;
+    for (int i = 0; i < frames; ++i) {
+        shot = shoot(method, i == 0 ? first : hold(first));
+    }
+    return shot;
+}
+
+Image SceneShots::read_depth(const FrameView& view) {
+    return gl::read_texture(m_context.functions(), draw({}, view).texture(Channel::eye_depth), 1);
+}
+
+double compute_rms(const Image& a, const Image& b, const Image* mask) {
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 0; i < a.values().size(); ++i) {
+        if (mask == nullptr || mask->values()[i] != 0.0f) {
+            const double difference = a.values()[i] - b.values()[i];
+            sum += difference * difference;
+            count += 1.0;
+        }
+    }
+    ALCOVE_ASSERT(count > 0.0, "pixels to compare");
+    return std::sqrt(sum / count);
+}
+
+} // namespace alcove
