@@ -31,6 +31,11 @@ TEST_F(Refusal, MistypedNamesGetTheNearest) {
     expect_refused({"run", "--method", "hemisphere_ssao@strong_blr"}, 2,
                    {"strong_blr", "nearest: strong_blur"});
     expect_refused({"run", "--method", "hemisphere_ssao:radus=1"}, 2, {"radus", "nearest: radius"});
+    expect_refused({"run", "--reference", "nosuch"}, 2, {"nosuch", "nearest: none"});
+    expect_refused({"run", "--reference", "tsao@reference_480"}, 2, {"tsao", "nearest: tssao"});
+    expect_refused({"run", "--reference", "tssao@nosuch"}, 2,
+                   {"tssao", "nosuch", "default", "reference_480", "nearest: "});
+    expect_refused({"run", "--reference", "tssao:radus=1"}, 2, {"radus", "nearest: radius"});
     expect_refused({"run", "--scene", "cathedrl"}, 2, {"cathedrl", "nearest: cathedral"});
     expect_refused({"metric", "a.png", "b.png", "--metric", "ssmi"}, 2, {"ssmi", "nearest: ssim"});
     expect_refused({"metric", "a.png", "b.png", "--domain", "sRBG"}, 2, {"sRBG", "nearest: srgb"});

@@ -52,10 +52,14 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }
+    if (!m_reference.empty()) {
+        experiment.reference = parse_method_spec(m_reference, "--reference");
+    }
     m_plan = make_plan(experiment, all).record;
     RoundRecord& planned = m_plan.rounds.at(0);
     planned.segments = {{0, 4}, {10, 11}, {20, 21}, {30, 31}};
     planned.image_frames = choose_image_frames(planned.segments);
+    planned.film = m_films_burst ? choose_film(planned.segments) : SegmentRecord{};
     const SceneUnit& scene = all.scenes.find("template_scene");
     m_scene = std::make_unique<CutScene>(scene.open(scene.parameters.resolve({}, {})));
     m_result = run_round(context(), gl::TimerMode::fenced_wall, all, m_plan, planned, *m_scene,

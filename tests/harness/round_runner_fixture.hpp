@@ -33,6 +33,11 @@ class RoundRunnerTest : public GlTest {
                                                       SampleState state) const;
     [[nodiscard]] const std::vector<HistoryEntry>& log() const { return m_log->entries; }
 
+    /// Set before run(): what is measured against, instead of traced rays.
+    std::string m_reference;
+    /// Set before run(): the burst is kept as a film.
+    bool m_films_burst = false;
+
     TemporaryFolder m_folder;
     ScopedVariable m_cache;
     std::shared_ptr<HistoryLog> m_log;
