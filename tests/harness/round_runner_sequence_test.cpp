@@ -184,6 +184,12 @@ TEST_F(RoundRunnerSequenceTest, AReferenceWithAHistoryIsConvergedAndDisturbsNobo
     for (const int single : {10, 20, 30}) {
         EXPECT_EQ(find_row(0, "rmse", single, SampleState::converged).value, 0.0);
     }
+    // The reference holds the pose; the method that is measured sees it move.
+    for (const HistoryEntry& entry : log()) {
+        if (entry.event == HistoryEvent::render && entry.instance == 0 && entry.frame < 4) {
+            EXPECT_EQ(entry.is_held, entry.frame % 2 == 0) << entry.frame;
+        }
+    }
 }
 
 } // namespace
