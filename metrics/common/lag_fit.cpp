@@ -83,16 +83,22 @@ StepSums sum_step(const Pixels& now, const EarlierFrame& earlier,
     return sums;
 }
 
+/// A step's change of truth must be at least as large as the noise in it, or the share means
+/// nothing: debiased xx over plain xx.
+constexpr double kLeastReliability = 0.5;
+
 /// The step of the least residual, yy - xy^2 / xx: yy is that of the common pixels, so the same for
 /// all. Of equal ones the shortest. Nothing where no step has a change above noise.
 std::optional<Lag> choose_step(const std::array<StepSums, kEarlierSteps.size()>& steps,
-                               Sums StepSums::*which, std::size_t pixels,
+                               Sums StepSums::*which, bool halves, std::size_t pixels,
                                const LagParameters& parameters) {
     std::optional<Lag> best;
     double explained = 0.0;
     for (std::size_t k = 0; k < steps.size(); ++k) {
         const Sums& sums = steps.at(k).*which;
-        if (sums.xx <= 0.0) {
+        const bool is_noise =
+            halves && steps.at(k).debiased.xx < kLeastReliability * steps.at(k).plain.xx;
+        if (sums.xx <= 0.0 || is_noise) {
             continue;
         }
         if (const double own = sums.xy * sums.xy / sums.xx; !best || own > explained) {
@@ -159,8 +165,14 @@ std::optional<LagFit> fit_lag(const TemporalFrame& frame, const LagParameters& p
         ALCOVE_ASSERT(frame.earlier[k].steps == kEarlierSteps.at(k), "ascending steps");
         steps.at(k) = sum_step(now, frame.earlier[k], chosen);
     }
-    fit.plain = choose_step(steps, &StepSums::plain, chosen.size(), parameters);
-    fit.debiased = choose_step(steps, &StepSums::debiased, chosen.size(), parameters);
+    fit.plain = choose_step(steps, &StepSums::plain, halves, chosen.size(), parameters);
+    fit.debiased = choose_step(steps, &StepSums::debiased, halves, chosen.size(), parameters);
+    if (!fit.plain) {
+        fit.undefined_reason = "truth's change is less than the reference's noise";
+    }
+    if (!fit.plain) {
+        fit.undefined_reason = "truth changes by less than the reference's noise at every step";
+    }
     return fit;
 }
 

@@ -190,7 +190,8 @@ TEST(Plan, EveryUnitIsDescribedForReadersWithoutTheProgram) {
         EXPECT_FALSE(method.title.empty());
         EXPECT_EQ(method.content_hash.size(), 64u) << method.name;
     }
-    EXPECT_EQ(methods, (std::set<std::string>{"anchor", "none", "template_method"}));
+    EXPECT_EQ(methods,
+              (std::set<std::string>{"anchor", "none", "reference_ray_traced", "template_method"}));
     ASSERT_FALSE(plan.metrics.empty());
     for (const MetricDescription& metric : plan.metrics) {
         EXPECT_FALSE(metric.definition.empty()) << metric.name;

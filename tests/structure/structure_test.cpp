@@ -94,11 +94,13 @@ const std::vector<Rule>& get_rules() {
     static const std::vector<Rule> kRules{
         {"core/base", {}},
         {"core/contract/metric", {"core/base"}},
+        // The same target: metrics over a sequence.
+        {"core/contract/temporal_metric", {"core/base", "core/contract/metric"}},
         {"core/contract/scene", {"core/base"}},
         {"core/contract/method", {"core/base", "core/gl", "core/frame", "core/contract/scene"}},
         {"core/gl", {"core/base"}},
         {"core/frame", {"core/base", "core/gl", "core/contract/scene"}},
-        {"metrics", {"core/base", "core/contract/metric"}},
+        {"metrics", {"core/base", "core/contract/metric", "core/contract/temporal_metric"}},
         {"scenes", {"core/base", "core/contract/scene"}},
         {"methods",
          {"core/base", "core/gl", "core/frame", "core/contract/scene", "core/contract/method"}},
