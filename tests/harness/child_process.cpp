@@ -15,14 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path make_output_folder() {
-    std::string pattern = (fs::temp_directory_path() / "alcove-child-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error("no folder for the child's output");
-    }
-    return pattern;
-}
-
 /// Only calls that are safe between fork and exec.
 void redirect(const char* path, int descriptor) {
     const int file = ::open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
@@ -32,8 +24,7 @@ void redirect(const char* path, int descriptor) {
 } // namespace
 
 ChildProcess::ChildProcess(const fs::path& program, const std::vector<std::string>& arguments,
-                           const ChildOptions& options)
-    : m_output(make_output_folder()) {
+                           const ChildOptions& options) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
@@ -41,8 +32,8 @@ ChildProcess::ChildProcess(const fs::path& program, const std::vector<std::strin
         argv.push_back(word.data());
     }
     argv.push_back(nullptr);
-    const std::string out = (m_output / "out").string();
-    const std::string err = (m_output / "err").string();
+    const std::string out = (m_output.path() / "out").string();
+    const std::string err = (m_output.path() / "err").string();
     m_process = ::fork();
     if (m_process < 0) {
         throw std::runtime_error("cannot fork");
@@ -67,8 +58,6 @@ ChildProcess::~ChildProcess() {
         ::kill(m_process, SIGKILL);
         ::waitpid(m_process, nullptr, 0);
     }
-    std::error_code ignored;
-    fs::remove_all(m_output, ignored);
 }
 
 bool ChildProcess::wait_for(std::chrono::milliseconds time) {
@@ -87,7 +76,7 @@ bool ChildProcess::wait_for(std::chrono::milliseconds time) {
 }
 
 std::string ChildProcess::read_errors() const {
-    return fs::exists(m_output / "err") ? read_file(m_output / "err") : std::string();
+    return fs::exists(m_output.path() / "err") ? read_file(m_output.path() / "err") : std::string();
 }
 
 void ChildProcess::limit_file_size(std::uintmax_t bytes) const {
@@ -118,8 +107,8 @@ ChildResult ChildProcess::finish() {
     } else {
         result.signal = WTERMSIG(*m_status);
     }
-    result.out = read_file(m_output / "out");
-    result.err = read_file(m_output / "err");
+    result.out = read_file(m_output.path() / "out");
+    result.err = read_file(m_output.path() / "err");
     return result;
 }
 

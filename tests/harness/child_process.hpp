@@ -1,6 +1,8 @@
 #pragma once
 // The built program as a child process: its exit code, what it printed, and how it was stopped.
 
+#include "tests/harness/temporary_folder.hpp"
+
 #include <sys/types.h>
 
 #include <chrono>
@@ -47,7 +49,7 @@ class ChildProcess {
     [[nodiscard]] ChildResult finish();
 
   private:
-    std::filesystem::path m_output; ///< folder of the captured streams
+    TemporaryFolder m_output; ///< of the captured streams
     ::pid_t m_process = -1;
     std::optional<int> m_status;
 };
