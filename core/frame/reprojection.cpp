@@ -28,7 +28,7 @@ glm::vec3 get_vector(const Image& image, int x, int y) {
 /// What became of one pixel's surface point.
 struct Match {
     bool is_surface = false;
-    bool is_seen = false;  ///< at least one pixel around the place shows it
+    bool is_seen = false;  ///< at least one pixel near the place shows it
     bool is_valid = false; ///< all of them do
     glm::vec2 place{0.0f}; ///< pixels of the earlier image
 };
@@ -100,27 +100,41 @@ class PixelMatcher {
             }
             const int tap_x = x0 + dx;
             const int tap_y = y0 + dy;
-            if (tap_x < 0 || tap_y < 0 || tap_x >= m_size.width || tap_y >= m_size.height) {
+            if (!is_inside(tap_x, tap_y) || m_before.instance_id.at(tap_x, tap_y) != id) {
                 all_same = false;
                 continue;
             }
-            const float tap_depth = m_before.eye_depth.at(tap_x, tap_y);
-            const bool is_same = m_before.instance_id.at(tap_x, tap_y) == id;
-            all_same = all_same && is_same;
-            inverse_depth += weight / tap_depth;
+            inverse_depth += weight / m_before.eye_depth.at(tap_x, tap_y);
             normal += weight * get_vector(m_before.normal, tap_x, tap_y);
-            const glm::vec2 centre(static_cast<float>(tap_x) + 0.5f,
-                                   static_cast<float>(tap_y) + 0.5f);
-            const float plane_inverse_depth =
-                glm::dot(expected_normal, make_ray(centre, m_previous_tangents)) / plane;
-            match.is_seen =
-                match.is_seen ||
-                (is_same && std::abs(1.0f - plane_inverse_depth * tap_depth) < kSeenTolerance);
         }
         match.is_valid = all_same && std::abs(1.0f + old.z * inverse_depth) < kDepthTolerance &&
                          glm::dot(expected_normal, normal) >
                              kNormalCosine * glm::length(expected_normal) * glm::length(normal);
-        match.is_seen = match.is_seen || match.is_valid;
+        match.is_seen = match.is_valid;
+        // The nearest pixel and those around it: a sliver that an edge gains by moving a fraction
+        // of a pixel has not come into view.
+        const int nearest_x = static_cast<int>(std::floor(match.place.x));
+        const int nearest_y = static_cast<int>(std::floor(match.place.y));
+        for (int tap = 0; tap < 9 && !match.is_seen; ++tap) {
+            match.is_seen = shows_surface(nearest_x - 1 + tap % 3, nearest_y - 1 + tap / 3, id,
+                                          expected_normal, plane);
+        }
+    }
+
+    [[nodiscard]] bool is_inside(int x, int y) const {
+        return x >= 0 && y >= 0 && x < m_size.width && y < m_size.height;
+    }
+
+    /// Does the earlier image show the same object where the point's tangent plane, n . p = plane,
+    /// lies?
+    [[nodiscard]] bool shows_surface(int x, int y, float id, const glm::vec3& normal,
+                                     float plane) const {
+        if (!is_inside(x, y) || m_before.instance_id.at(x, y) != id) {
+            return false;
+        }
+        const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const float inverse_depth = glm::dot(normal, make_ray(centre, m_previous_tangents)) / plane;
+        return std::abs(1.0f - inverse_depth * m_before.eye_depth.at(x, y)) < kSeenTolerance;
     }
 
     const SurfaceImages& m_now;

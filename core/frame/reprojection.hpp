@@ -48,9 +48,10 @@ struct SurfaceImages {
 
 /// Valid where the point was inside the image, all four pixels around its place show the same
 /// object, their depth (1/depth interpolated, exact on planes) agrees within 1 % and their normals'
-/// cosine is over 0.9; then eroded by one pixel. Appeared where it was outside, or none of the four
-/// shows the same object at the depth that the point's tangent plane has there, within 2 %. If the
-/// view has no history nothing is valid and every surface point has appeared.
+/// cosine is over 0.9; then eroded by one pixel. Appeared where it was outside, or where of the 4 x
+/// 4 pixels around its place none shows the same object at the depth that the point's tangent plane
+/// has there, within 2 %. If the view has no history nothing is valid and every surface point has
+/// appeared.
 [[nodiscard]] Correspondence make_correspondence(const FrameView& view, const SurfaceImages& now,
                                                  const SurfaceImages& before);
 

@@ -12,6 +12,26 @@ namespace {
 
 constexpr std::size_t kStateChannels = 4;
 
+/// How far a value lies outside the range of an image's valid pixels around `i`.
+double get_distance_to_range(const Image& image, const Image& valid, std::size_t i, float value) {
+    const int width = image.width();
+    const int x = static_cast<int>(i) % width;
+    const int y = static_cast<int>(i) / width;
+    float low = value;
+    float high = value;
+    bool is_first = true;
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, image.height() - 1); ++v) {
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+            if (valid.at(u, v) != 0.0f) {
+                low = is_first ? image.at(u, v) : std::min(low, image.at(u, v));
+                high = is_first ? image.at(u, v) : std::max(high, image.at(u, v));
+                is_first = false;
+            }
+        }
+    }
+    return static_cast<double>(std::max({low - value, value - high, 0.0f}));
+}
+
 Truth judge(const TemporalFrame& frame, std::size_t i, const TruthThresholds& thresholds) {
     const EarlierFrame& earlier = frame.earlier.front();
     if (frame.surface.values()[i] == 0.0f) {
@@ -28,7 +48,10 @@ Truth judge(const TemporalFrame& frame, std::size_t i, const TruthThresholds& th
     if (std::abs(change) < thresholds.unchanged) {
         return Truth::unchanged;
     }
-    if (std::abs(change) <= thresholds.changed) {
+    // Where occlusion varies from pixel to pixel, interpolation alone changes it.
+    if (std::abs(change) <= thresholds.changed ||
+        get_distance_to_range(earlier.reference, earlier.correspondence.valid, i,
+                              frame.reference.values()[i]) <= thresholds.changed) {
         return Truth::unsure;
     }
     if (frame.reference_a == nullptr || !earlier.reference_a) {

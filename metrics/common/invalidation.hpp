@@ -13,9 +13,10 @@ enum class Truth {
     unchanged ///< it was visible, and its reference is the same
 };
 
-/// Of warp(ref_(t-1)) - ref_t. Changed: |.| above `changed` and, with halves, clear of the
-/// reference's noise (find_change_threshold) and both of one sign and above half of it. Unchanged:
-/// |.| under `unchanged`.
+/// Of warp(ref_(t-1)) - ref_t. Changed: |.|, and the distance of ref_t to the range of the 3 x 3
+/// pixels of warp(ref_(t-1)), above `changed`; with halves, clear of the reference's noise
+/// (find_change_threshold) and both of one sign and above half of it. Unchanged: |.| under
+/// `unchanged`.
 struct TruthThresholds {
     double changed = 0.02;
     double unchanged = 0.01;

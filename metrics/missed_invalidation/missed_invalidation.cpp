@@ -63,7 +63,8 @@ MetricUnit missed_invalidation_unit() {
     unit.definition =
         "Share of the surface pixels where truth has changed whose history was kept (cause "
         "`kept`). "
-        "Changed: not visible one frame ago, or |ref_t - warp(ref_(t-1))| above `change` and, with "
+        "Changed: not visible one frame ago, or ref_t farther than `change` from the range of the "
+        "3 x 3 pixels of warp(ref_(t-1)) around it and, with "
         "halves of the reference, above 4 times the noise of the difference and both halves of one "
         "sign and above half of it. Pixels without history (cause `no_history`) are left out. No "
         "result on a first frame and for methods "

@@ -21,7 +21,8 @@ constexpr ChannelSet kChannels{Channel::eye_depth, Channel::normal, Channel::mot
                                Channel::instance_id};
 
 /// A floor, a box that turns and drifts, a ball at rest; the camera moves and turns.
-TestScene make_moving_scene(const glm::dvec3& origin = glm::dvec3(0.0)) {
+TestScene make_moving_scene(const glm::dvec3& box_step = {0.03, 0.01, -0.02},
+                            const glm::dvec3& origin = glm::dvec3(0.0)) {
     std::vector<Mesh> meshes{make_quad({-6, 0, 6}, {6, 0, 6}, {6, 0, -6}, {-6, 0, -6}),
                              make_box({-0.6f, -0.1f, -0.6f}, {0.6f, 1.2f, 0.6f}),
                              make_sphere({1.4f, 0.5f, 0.4f}, 0.5f, 24)};
@@ -35,7 +36,7 @@ TestScene make_moving_scene(const glm::dvec3& origin = glm::dvec3(0.0)) {
             {camera({1.5, 1.6, 3.6}), camera({1.56, 1.62, 3.55})},
             0.5,
             origin,
-            {{1, {0.03, 0.01, -0.02}, 5.0 * std::numbers::pi / 180.0}}};
+            {{1, box_step, 5.0 * std::numbers::pi / 180.0}}};
 }
 
 class ReprojectionTest : public GlTest {
@@ -102,7 +103,7 @@ TEST_F(ReprojectionTest, MotionIsTheFiniteDifferenceOfPositionsOnRigidMotion) {
 
 TEST_F(ReprojectionTest, AReprojectedPointIsWhereTheOldCameraSawIt) {
     for (const glm::dvec3& origin : {glm::dvec3(0.0), glm::dvec3(1e7, -1e7, 1e7)}) {
-        const TestScene scene = make_moving_scene(origin);
+        const TestScene scene = make_moving_scene({0.03, 0.01, -0.02}, origin);
         const FrameView view = get_view(scene, 1);
         const Reprojection reprojection = make_reprojection(view);
         const glm::dvec3 view_position(0.3, -0.2, -2.5);
@@ -154,7 +155,8 @@ TEST_F(ReprojectionTest, CorrespondingPixelsShowTheSamePointOfTheSameObject) {
                 first.camera, kSize, {found.position.at(x, y, 0), found.position.at(x, y, 1)});
             const double along =
                 glm::dot(old - first.camera.position, direction) / glm::dot(direction, direction);
-            // A thousandth of a pixel, to which places are snapped, at the far end of the floor, 8 m.
+            // A thousandth of a pixel, to which places are snapped, at the far end of the floor, 8
+            // m.
             ASSERT_LT(glm::distance(first.camera.position + along * direction, old), 1e-4);
             ASSERT_EQ(found.appeared.at(x, y), 0.0f);
         }
@@ -190,7 +192,7 @@ TEST_F(ReprojectionTest, UnderAStillCameraAtRestAllButEdgesIsValidAndNothingAppe
 }
 
 TEST_F(ReprojectionTest, WhatAMovingObjectUncoversHasAppeared) {
-    const TestScene scene = make_moving_scene();
+    const TestScene scene = make_moving_scene({0.3, 0.0, 0.0});
     FrameView view = get_view(scene, 1);
     view.previous_camera = view.camera;
     FrameView first = get_view(scene, 0);
@@ -200,13 +202,21 @@ TEST_F(ReprojectionTest, WhatAMovingObjectUncoversHasAppeared) {
     const Correspondence found = make_correspondence(view, now, before);
     constexpr float kFloor = 1.0f;
     int uncovered = 0;
-    for (int y = 0; y < kSize.height; ++y) {
-        for (int x = 0; x < kSize.width; ++x) {
-            if (now.instance_id.at(x, y) == kFloor) {
-                const bool was_floor = before.instance_id.at(x, y) == kFloor;
-                ASSERT_EQ(found.appeared.at(x, y) != 0.0f, !was_floor) << x << ", " << y;
-                uncovered += was_floor ? 0 : 1;
+    for (int y = 1; y + 1 < kSize.height; ++y) {
+        for (int x = 1; x + 1 < kSize.width; ++x) {
+            if (now.instance_id.at(x, y) != kFloor) {
+                continue;
             }
+            // Edges that moved by a fraction of a pixel leave slivers: those do not count.
+            bool was_near_floor = false;
+            for (int dy = -1; dy <= 1; ++dy) {
+                for (int dx = -1; dx <= 1; ++dx) {
+                    was_near_floor =
+                        was_near_floor || before.instance_id.at(x + dx, y + dy) == kFloor;
+                }
+            }
+            ASSERT_EQ(found.appeared.at(x, y) != 0.0f, !was_near_floor) << x << ", " << y;
+            uncovered += was_near_floor ? 0 : 1;
         }
     }
     EXPECT_GT(uncovered, 5);
