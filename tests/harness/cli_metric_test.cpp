@@ -72,13 +72,13 @@ TEST_F(MetricVerb, ListsParseAndNameTheirUnits) {
     EXPECT_EQ(run({"list", "parameters"}).exit_code, 0);
 }
 
-TEST_F(MetricVerb, JsonIsOneObjectWithTheReportedMetricsAsKeys) {
+TEST_F(MetricVerb, JsonIsOneObjectWithTheReportedImageMetricsAsKeys) {
     const std::string a = write_exr_file("a.exr", make_visibility(0.0));
     const std::string b = write_exr_file("b.exr", make_visibility(0.3));
     const json scores = evaluate({a, b});
     std::set<std::string> reported;
     for (const json& metric : json::parse(run({"list", "metrics", "--json"}).out)) {
-        if (metric.at("reported").get<bool>()) {
+        if (metric.at("reported").get<bool>() && !metric.at("over_time").get<bool>()) {
             reported.insert(metric.at("name").get<std::string>());
         }
     }
@@ -89,6 +89,15 @@ TEST_F(MetricVerb, JsonIsOneObjectWithTheReportedMetricsAsKeys) {
     EXPECT_NEAR(scores.at("rmse").get<double>(), std::sqrt(scores.at("mse").get<double>()), 1e-12);
     EXPECT_EQ(list_keys(evaluate({a, b, "--metric", "ssim", "--metric", "mse"})),
               (std::set<std::string>{"mse", "ssim"}));
+}
+
+TEST_F(MetricVerb, MetricsOverTimeAreRefusedButForTheirChecks) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    expect_refused({"metric", a, a, "--metric", "temporal_flicker"}, 2,
+                   {"temporal_flicker", "over time", "`run`"});
+    const ChildResult checks = run({"metric", "--self-test", "--metric", "temporal_flicker"});
+    EXPECT_EQ(checks.exit_code, 0) << checks.err;
+    EXPECT_NE(checks.out.find("temporal_flicker"), std::string::npos) << checks.out;
 }
 
 TEST_F(MetricVerb, AnInfiniteValueIsNullAndTheReasonStandsOnStandardError) {
