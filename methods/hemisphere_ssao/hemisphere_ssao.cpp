@@ -2,6 +2,7 @@
 
 #include "core/frame/full_screen.hpp"
 #include "methods/common/cross_bilateral_blur.hpp"
+#include "methods/common/estimator_parameters.hpp"
 #include "methods/common/parameter_block.hpp"
 #include "methods/common/shaders.hpp"
 #include "methods/common/unit_parts.hpp"
@@ -13,18 +14,10 @@ constexpr GLuint kKernelBinding = 1;
 
 ParameterTable make_table() {
     using P = HemisphereSsaoParams;
-    const char* const kTssao = "Mattausch et al. 2010";
     return describe_parameters(
         "hemisphere_ssao",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r")
-                .default_expression("scene_radius")
-                .meaning("Reach of the samples.")
-                .source(kTssao),
+            describe_radius(&P::radius),
             integer(&P::samples, "samples")
                 .range(1, 512)
                 .log_scale()
@@ -32,38 +25,20 @@ ParameterTable make_table() {
                 .unit("samples")
                 .symbol("n")
                 .meaning("Samples a pixel.")
-                .source(kTssao),
-            choice(&P::directions, "directions", {"uniform", "cosine"})
-                .rebuild()
-                .meaning("Directions uniform over the hemisphere, each hit weighted by 2 cos, or "
-                         "distributed as the "
-                         "cosine with equal weights.")
-                .source(kTssao),
+                .source(kMattausch2010),
+            describe_directions(&P::directions),
             boolean(&P::rotation, "rotation")
                 .rebuild()
                 .meaning("Turns the kernel by a random angle about the normal, a pixel.")
-                .source(kTssao),
-            real(&P::cut, "cut")
-                .range(1.0, 4.0)
-                .unit("r")
-                .meaning("Surfaces farther than this from the receiver never block.")
-                .source(kTssao),
-            real(&P::bias, "bias")
-                .range(0.0, 4.0)
-                .unit("half pixel footprints")
-                .meaning("Depth bias along the receiver's tangent plane; 1 is exact for planes at "
-                         "any tilt.")
-                .source("ours"),
-            choice(&P::border, "border", {"open", "clamp"})
-                .rebuild()
-                .meaning(
-                    "Samples outside the image: never blocked, or compared with the nearest pixel.")
-                .source("clamp: Mattausch et al. 2010"),
+                .source(kMattausch2010),
+            describe_cut(&P::cut),
+            describe_bias(&P::bias),
+            describe_border(&P::border),
             integer(&P::blur_radius, "blur_radius")
                 .range(0, 8)
                 .unit("px")
                 .meaning("Taps on each side of the cross-bilateral blur; 0 is off.")
-                .source(kTssao),
+                .source(kMattausch2010),
             real(&P::blur_edge, "blur_edge")
                 .range(0.001, 10.0)
                 .log_scale()

@@ -1,5 +1,6 @@
 #include "methods/tssao/tssao.hpp"
 
+#include "methods/common/estimator_parameters.hpp"
 #include "methods/common/unit_parts.hpp"
 #include "methods/tssao/tssao_renderer.hpp"
 
@@ -56,7 +57,6 @@ std::vector<Preset> make_presets() {
 
 ParameterTable make_tssao_table() {
     using P = TssaoParams;
-    const char* const kPaper = "Mattausch et al. 2010";
     const char* const kTable1 = "Mattausch et al. 2010, table 1";
     const char* const kUnpublished = "Mattausch et al. 2010; value ours";
     return describe_parameters(
@@ -67,14 +67,7 @@ ParameterTable make_tssao_table() {
                 .meaning("Points in the hemisphere compared with the depth buffer, or surface "
                          "points on a disc on the screen weighted by their elevation.")
                 .source("Mattausch et al. 2010, section 4"),
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r")
-                .default_expression("scene_radius")
-                .meaning("Reach of the samples.")
-                .source(kPaper),
+            describe_radius(&P::radius),
             integer(&P::initial_samples, "initial_samples")
                 .range(1, 512)
                 .log_scale()
@@ -206,27 +199,10 @@ ParameterTable make_tssao_table() {
                 .meaning("A change found with k2 samples takes up to k1 in the same frame.")
                 .alive_with("history_cap=64")
                 .source("ours (the paper is silent)"),
-            choice(&P::directions, "directions", {"uniform", "cosine"})
-                .rebuild()
-                .meaning("Hemisphere directions uniform, each hit weighted by 2 cos, or "
-                         "distributed as the cosine with equal weights.")
-                .source(kPaper),
-            real(&P::cut, "cut")
-                .range(1.0, 4.0)
-                .unit("r")
-                .meaning("Surfaces farther than this from the receiver never count.")
-                .source(kPaper),
-            real(&P::bias, "bias")
-                .range(0.0, 4.0)
-                .unit("half pixel footprints")
-                .meaning("Depth bias along the receiver's tangent plane; 1 is exact for planes at "
-                         "any tilt.")
-                .source("ours"),
-            choice(&P::border, "border", {"open", "clamp"})
-                .rebuild()
-                .meaning(
-                    "Samples outside the image: never blocked, or compared with the nearest pixel.")
-                .source("clamp: Mattausch et al. 2010"),
+            describe_directions(&P::directions),
+            describe_cut(&P::cut),
+            describe_bias(&P::bias),
+            describe_border(&P::border),
             real(&P::grazing_cosine, "grazing_cosine")
                 .range(0.0, 0.3)
                 .unit("cosine")
