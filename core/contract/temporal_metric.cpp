@@ -29,6 +29,8 @@ void check_temporal_frame(const TemporalFrame& frame, std::string_view metric) {
                   "both halves of a reference or none");
     for (const EarlierFrame& earlier : frame.earlier) {
         check(&earlier.reference, 1, "an earlier reference");
+        check(earlier.reference_a ? &*earlier.reference_a : nullptr, 1, "half A of an earlier one");
+        check(earlier.reference_b ? &*earlier.reference_b : nullptr, 1, "half B of an earlier one");
         check(&earlier.correspondence.position, 2, "an earlier frame's positions");
         check(&earlier.correspondence.valid, 1, "an earlier frame's validity");
         check(&earlier.correspondence.appeared, 1, "an earlier frame's appeared points");

@@ -168,9 +168,6 @@ std::optional<LagFit> fit_lag(const TemporalFrame& frame, const LagParameters& p
     fit.plain = choose_step(steps, &StepSums::plain, halves, chosen.size(), parameters);
     fit.debiased = choose_step(steps, &StepSums::debiased, halves, chosen.size(), parameters);
     if (!fit.plain) {
-        fit.undefined_reason = "truth's change is less than the reference's noise";
-    }
-    if (!fit.plain) {
         fit.undefined_reason = "truth changes by less than the reference's noise at every step";
     }
     return fit;

@@ -47,8 +47,9 @@ MetricUnit lag_frames_unit() {
         "all along, and with |warp(ref_(t-k)) - ref_t| above `change` for any k. 0 where a is not "
         "above `least_share` and three of its standard errors, sqrt(residual / n / sum x^2). With "
         "halves of the reference: `change` is at least four standard deviations of the noise, and "
-        "debiased is the same from cross products, sum x_A x_B for sum x^2 and so on. Nothing "
-        "before frame 8; undefined with fewer than `least_pixels` pixels.";
+        "debiased is the same from cross products, sum x_A x_B for sum x^2 and so on; steps "
+        "with sum x_A x_B under half of sum x^2 are left out. Nothing before frame 8; undefined "
+        "with fewer than `least_pixels` pixels or without a step.";
     unit.blind_to = "how much of the old truth is mixed in (lag_share), lags between the steps, "
                     "and, where truth changes evenly in time, the difference between a small "
                     "share of an old truth and a large share of a newer one.";

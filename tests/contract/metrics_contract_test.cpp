@@ -305,6 +305,8 @@ TEST_P(TemporalMetricContract, WrongSizesAndChannelsThrow) {
         [](FrameParts& parts) { return &parts.moves; },
         [](FrameParts& parts) { return &parts.history_state; },
         [](FrameParts& parts) { return &parts.earlier.reference; },
+        [](FrameParts& parts) { return &*parts.earlier.reference_a; },
+        [](FrameParts& parts) { return &*parts.earlier.reference_b; },
         [](FrameParts& parts) { return &parts.earlier.correspondence.position; },
         [](FrameParts& parts) { return &parts.earlier.correspondence.valid; },
         [](FrameParts& parts) { return &parts.earlier.correspondence.appeared; },
