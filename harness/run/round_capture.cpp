@@ -1,51 +1,25 @@
 #include "harness/run/round_capture.hpp"
 
-#include "core/base/domain.hpp"
 #include "core/base/hash.hpp"
-#include "core/base/image_file.hpp"
-#include "harness/run/error_map.hpp"
-#include "harness/run/heatmap.hpp"
 #include "harness/run/wall_time.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace alcove {
 namespace {
 
-/// Full scale of maps whose metric has no largest value.
-constexpr float kMapRange = 0.1f;
-/// Full scale of samples a pixel and frame.
-constexpr float kSamplesRange = 64.0f;
-/// Metrics over time whose maps are part of the film.
+/// Its maps are accumulated over the film.
 constexpr const char* kFlicker = "temporal_flicker";
-constexpr std::array<std::string_view, 3> kFilmMaps{kFlicker, "missed_invalidation",
-                                                    "false_invalidation"};
 
 bool begins_sequence(const RoundFrame& frame) {
     return frame.is_warmed || !frame.view.history_valid;
-}
-
-/// Per pixel the value that 95 % of the frames do not exceed (nearest rank).
-Image compute_p95(const std::vector<Image>& images) {
-    Image p95(images.front().size(), 1);
-    std::vector<float> values(images.size());
-    const auto rank =
-        static_cast<std::ptrdiff_t>(std::ceil(0.95 * static_cast<double>(images.size())) - 1.0);
-    for (std::size_t pixel = 0; pixel < p95.values().size(); ++pixel) {
-        std::transform(images.begin(), images.end(), values.begin(),
-                       [pixel](const Image& image) { return image.values()[pixel]; });
-        std::nth_element(values.begin(), values.begin() + rank, values.end());
-        p95.values()[pixel] = values[static_cast<std::size_t>(rank)];
-    }
-    return p95;
 }
 
 } // namespace
 
 RoundCapture::RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, RoundDone& done,
                            std::filesystem::path run_folder)
-    : m_stage(stage), m_rows(rows), m_done(done), m_run_folder(std::move(run_folder)),
+    : m_stage(stage), m_rows(rows), m_done(done), m_pictures(stage, done, std::move(run_folder)),
       m_truth(make_truth_source(stage)), m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
     for (const MetricUnit& unit : stage.units().metrics.units()) {
@@ -123,7 +97,12 @@ void RoundCapture::capture_frame(std::size_t index) {
         const WallTime wall(m_done.gbuffer_s);
         m_stage.render_gbuffers();
     }
-    write_reference_pictures(shot);
+    if (shot.is_film) {
+        m_pictures.write_film_reference(frame.view.index, truth);
+    }
+    if (shot.keeps_pictures) {
+        m_pictures.write_reference(frame.view.index, truth);
+    }
     for (MethodCell& cell : m_stage.cells()) {
         if (!takes_part(cell)) {
             continue;
@@ -136,7 +115,8 @@ void RoundCapture::capture_frame(std::size_t index) {
         }
         // A method with history keeps its converged picture, the one that its table speaks of.
         if (shot.keeps_pictures && (cell.record().warm_frames == 0 || !m_has_singles)) {
-            write_pictures(cell, images, output, shot);
+            m_pictures.write_cell(cell.record().id, shot.frame.view.index, images.visibility,
+                                  output, truth);
         }
     }
 }
@@ -162,7 +142,8 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
         measure_images(cell, images, shot);
         add_history_rows(cell, images, shot, nullptr);
         if (shot.keeps_pictures) {
-            write_pictures(cell, images, output, shot);
+            m_pictures.write_cell(cell.record().id, shot.frame.view.index, images.visibility,
+                                  output, truth);
         }
     }
 }
@@ -222,7 +203,9 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
                                     const Shot& shot) {
     const auto index = static_cast<std::size_t>(&cell - m_stage.cells().data());
     CellSequence& sequence = m_cells[index];
-    std::vector<std::pair<std::string, Image>> maps;
+    const std::string& id = cell.record().id;
+    const int index_of_frame = shot.frame.view.index;
+    std::vector<std::pair<const MetricUnit*, Image>> maps;
     {
         const WallTime wall(m_done.temporal_s);
         TemporalFrame frame{.test = images.visibility,
@@ -246,15 +229,8 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
             row.floor = result->floor;
             row.note = result->undefined_reason;
             m_rows.push_back(std::move(row));
-            const bool is_filmed =
-                std::find(kFilmMaps.begin(), kFilmMaps.end(), unit->name) != kFilmMaps.end();
-            if (shot.is_film && is_filmed && result->map) {
-                const double range = std::isfinite(unit->maximum) ? unit->maximum : kMapRange;
-                maps.emplace_back("film_" + unit->name,
-                                  make_scale_map(*result->map, static_cast<float>(range)));
-                if (unit->name == kFlicker) {
-                    sequence.flicker.push_back(std::move(*result->map));
-                }
+            if (shot.is_film && RoundPictures::is_filmed(unit->name) && result->map) {
+                maps.emplace_back(unit, std::move(*result->map));
             }
         }
         if (images.history_state) {
@@ -265,11 +241,22 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
             add_history_rows(cell, images, shot, &sequence.history.age());
         }
     }
-    if (shot.is_film) {
-        for (const auto& [name, map] : maps) {
-            write_picture(cell.record().id, shot.frame.view.index, name, map);
+    if (!shot.is_film) {
+        return;
+    }
+    for (auto& [unit, map] : maps) {
+        m_pictures.write_film_map(id, index_of_frame, unit->name, map, unit->maximum);
+        if (unit->name == kFlicker) {
+            sequence.flicker.push_back(std::move(map));
         }
-        write_film(cell, images, shot);
+    }
+    const Image* state = images.history_state ? &*images.history_state : nullptr;
+    m_pictures.write_film_frame(id, index_of_frame, images.visibility, shot.truth, state,
+                                sequence.history);
+    if (shot.is_last || index_of_frame + 1 == m_stage.round().film.end) {
+        m_pictures.write_accumulated(id, index_of_frame, sequence.flicker,
+                                     state != nullptr ? &sequence.history : nullptr);
+        sequence.flicker.clear();
     }
 }
 
@@ -283,77 +270,6 @@ void RoundCapture::add_history_rows(const MethodCell& cell, const CellImages& im
         row.value = number.value;
         m_rows.push_back(std::move(row));
     }
-}
-
-void RoundCapture::write_film(const MethodCell& cell, const CellImages& images, const Shot& shot) {
-    const auto index = static_cast<std::size_t>(&cell - m_stage.cells().data());
-    CellSequence& sequence = m_cells[index];
-    const std::string& id = cell.record().id;
-    const int frame = shot.frame.view.index;
-    write_picture(id, frame, "film_visibility", encode_view(images.visibility));
-    write_picture(id, frame, "film_error", make_error_map(images.visibility, shot.truth.mean));
-    if (images.history_state) {
-        const Image& state = *images.history_state;
-        const auto take = [&state](HistoryChannel channel) {
-            return take_channel(state, static_cast<int>(channel));
-        };
-        write_picture(id, frame, "film_age", make_age_map(sequence.history.age(), state));
-        write_picture(id, frame, "film_cause", make_cause_map(state));
-        write_picture(id, frame, "film_convergence",
-                      make_scale_map(take(HistoryChannel::convergence), 1.0f));
-        write_picture(id, frame, "film_samples",
-                      make_scale_map(take(HistoryChannel::samples), kSamplesRange));
-    }
-    if (!shot.is_last) {
-        return;
-    }
-    if (!sequence.flicker.empty()) {
-        write_picture(id, frame, "accumulated_flicker_p95",
-                      make_scale_map(compute_p95(sequence.flicker), kMapRange));
-        sequence.flicker.clear();
-    }
-    if (images.history_state) {
-        const SegmentRecord& film = m_stage.round().film;
-        write_picture(id, frame, "accumulated_invalidations",
-                      make_scale_map(sequence.history.compute_invalidated_share(), 1.0f));
-        write_picture(id, frame, "accumulated_samples",
-                      make_scale_map(sequence.history.samples(),
-                                     kSamplesRange * static_cast<float>(film.end - film.begin)));
-    }
-}
-
-void RoundCapture::write_reference_pictures(const Shot& shot) {
-    const int frame = shot.frame.view.index;
-    if (shot.is_film) {
-        write_picture("reference", frame, "film_visibility", encode_view(shot.truth.mean));
-    }
-    if (!shot.keeps_pictures) {
-        return;
-    }
-    write_picture("reference", frame, "visibility", encode_view(shot.truth.mean));
-    gl::Texture truth(m_stage.gl(), GL_R32F, m_stage.size());
-    gl::write_texture(m_stage.gl(), truth, shot.truth.mean);
-    m_stage.compose({.visibility = &truth}, PassTiming::none);
-    write_picture("reference", frame, "shaded",
-                  encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
-}
-
-void RoundCapture::write_pictures(const MethodCell& cell, const CellImages& images,
-                                  const MethodOutput& output, const Shot& shot) {
-    m_stage.compose(output, PassTiming::none);
-    const int frame = shot.frame.view.index;
-    const std::string& id = cell.record().id;
-    write_picture(id, frame, "visibility", encode_view(images.visibility));
-    write_picture(id, frame, "error", make_error_map(images.visibility, shot.truth.mean));
-    write_picture(id, frame, "shaded",
-                  encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
-}
-
-void RoundCapture::write_picture(const std::string& cell, int frame, const std::string& picture,
-                                 const Image& codes) {
-    const WallTime wall(m_done.images_s);
-    write_png(m_run_folder / RunFolder::make_image_path(m_stage.round().id, cell, frame, picture),
-              codes, Domain::view);
 }
 
 } // namespace alcove

@@ -3,9 +3,8 @@
 // no time. Bursts are followed as sequences: metrics over time, histories, a film.
 
 #include "core/contract/temporal_metric.hpp"
-#include "harness/run/history_record.hpp"
+#include "harness/run/round_pictures.hpp"
 #include "harness/run/sequence_truth.hpp"
-#include "harness/run/truth.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -53,12 +52,6 @@ class RoundCapture {
     void measure_sequence(const MethodCell& cell, const CellImages& images, const Shot& shot);
     void add_history_rows(const MethodCell& cell, const CellImages& images, const Shot& shot,
                           const Image* age);
-    void write_pictures(const MethodCell& cell, const CellImages& images,
-                        const MethodOutput& output, const Shot& shot);
-    void write_film(const MethodCell& cell, const CellImages& images, const Shot& shot);
-    void write_reference_pictures(const Shot& shot);
-    void write_picture(const std::string& cell, int frame, const std::string& picture,
-                       const Image& codes);
     [[nodiscard]] MetricRow make_row(const MethodCell& cell, const CellImages& images,
                                      const Shot& shot, const std::string& metric) const;
     [[nodiscard]] bool is_single(const RoundFrame& frame) const;
@@ -66,7 +59,7 @@ class RoundCapture {
     RoundStage& m_stage;
     std::vector<MetricRow>& m_rows;
     RoundDone& m_done;
-    std::filesystem::path m_run_folder;
+    RoundPictures m_pictures;
     std::unique_ptr<TruthSource> m_truth;
     SequenceTruth m_sequence;
     std::vector<std::pair<const MetricUnit*, std::unique_ptr<Metric>>> m_metrics;
