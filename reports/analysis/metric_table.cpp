@@ -69,7 +69,9 @@ std::vector<std::string> list_measured(const std::vector<MetricRow>& rows, const
     std::vector<std::string> measured;
     for (const MetricRow& row : rows) {
         const MetricDescription* description = find_description(plan, row.metric);
-        const std::string_view row_kind = description == nullptr ? "image" : description->kind;
+        const std::string_view row_kind = description == nullptr
+                                              ? std::string_view("image")
+                                              : std::string_view(description->kind);
         if (row_kind == kind &&
             std::find(measured.begin(), measured.end(), row.metric) == measured.end()) {
             measured.push_back(row.metric);
