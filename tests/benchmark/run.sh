@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds and runs every benchmark and prints one table: target, measured, n, met or not. Exit code 3 if one is not met.
-#   tests/benchmark/run.sh [--no-suite]     --no-suite leaves out the default suite (about 10 minutes)
+#   tests/benchmark/run.sh [--no-suite]     --no-suite leaves out the default suite (about 7 minutes)
 set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
