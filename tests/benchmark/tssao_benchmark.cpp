@@ -1,5 +1,7 @@
 // Converged tssao against hemisphere_ssao with 32 samples and its blur: AO passes plus input cost,
-// still camera, 384x288, wall time fenced by glFinish, in turn. With settings as arguments
+// still camera, 384x288, wall time fenced by glFinish, in turn. The target is asked of a scene at
+// rest; the line below tells the same where an object moves out of sight, so that every pixel's
+// neighbourhood is tested. With settings as arguments
 // ("packing=packed") it times that configuration instead of the default one.
 
 #include "core/base/statistics.hpp"
@@ -42,6 +44,9 @@ class Stage {
     Stage(gl::Context& context, const Scene& scene)
         : m_context(context), m_renderer(context.functions(), scene),
           m_view(hold(make_frame_view(scene.get_walkthrough(), kFrame, kSize, true))) {}
+
+    /// What the frame says of objects that are not seen.
+    void let_objects_move(bool may_move) { m_view.objects_may_move = may_move; }
 
     double time_gbuffer(const GBuffer& gbuffer) {
         m_context.reset_state();
@@ -92,13 +97,20 @@ bool measure(gl::Context& context, const std::string& name, const std::string& s
         stage.time_method(*tssao, extended);
     }
     stage.time_method(*ssao, base);
+    stage.let_objects_move(true);
+    stage.time_method(*tssao, extended);
+    stage.let_objects_move(false);
     std::vector<double> ratios;
+    std::vector<double> ratios_beside_movers;
     std::vector<double> parts[3];
     for (int i = 0; i < kPairs; ++i) {
         const double input_s = stage.time_gbuffer(extended) - stage.time_gbuffer(base);
         const double tssao_s = stage.time_method(*tssao, extended);
         const double ssao_s = stage.time_method(*ssao, base);
         ratios.push_back((tssao_s + input_s) / ssao_s);
+        stage.let_objects_move(true);
+        ratios_beside_movers.push_back((stage.time_method(*tssao, extended) + input_s) / ssao_s);
+        stage.let_objects_move(false);
         parts[0].push_back(tssao_s);
         parts[1].push_back(input_s);
         parts[2].push_back(ssao_s);
@@ -106,6 +118,8 @@ bool measure(gl::Context& context, const std::string& name, const std::string& s
     std::printf("# %s, medians: tssao %.2f ms, its input %.2f ms, hemisphere_ssao %.2f ms\n",
                 name.c_str(), 1e3 * compute_median(parts[0]), 1e3 * compute_median(parts[1]),
                 1e3 * compute_median(parts[2]));
+    std::printf("# %s, where an object moves elsewhere: %.3f (median, n=%zu)\n", name.c_str(),
+                compute_median(ratios_beside_movers), ratios_beside_movers.size());
     return print_target("converged tssao / SSAO-32 with blur, " + name, 0.55, false, ratios);
 }
 
