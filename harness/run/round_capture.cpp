@@ -124,12 +124,18 @@ void RoundCapture::capture_frame(std::size_t index) {
 void RoundCapture::capture_converged(const RoundFrame& single) {
     const std::vector<int>& kept = m_stage.round().image_frames;
     const RoundFrame held{single.segment, hold(single.view)};
+    const auto converges = [](const MethodCell& cell) {
+        return cell.record().role == CellRole::method && cell.record().warm_frames > 0;
+    };
+    if (std::none_of(m_stage.cells().begin(), m_stage.cells().end(), converges)) {
+        return;
+    }
+    // Truth first: its source may use the stage.
+    const Truth truth = get_truth(single.view);
     for (MethodCell& cell : m_stage.cells()) {
-        if (cell.record().role != CellRole::method || cell.record().warm_frames == 0) {
+        if (!converges(cell)) {
             continue;
         }
-        // Truth first: its source may use the stage.
-        const Truth truth = get_truth(single.view);
         Shot shot{held, SampleState::converged, truth, false, false, false, false};
         shot.keeps_pictures = std::find(kept.begin(), kept.end(), single.view.index) != kept.end();
         {
