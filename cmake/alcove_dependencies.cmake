@@ -6,12 +6,17 @@ find_package(TinyGLTF REQUIRED)
 find_package(Boost REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(SQLite3 REQUIRED)
 
 add_library(alcove_glm INTERFACE)
 target_compile_definitions(alcove_glm INTERFACE GLM_FORCE_XYZW_ONLY GLM_ENABLE_EXPERIMENTAL GLM_FORCE_CTOR_INIT)
 
 add_library(alcove_xxhash INTERFACE)
 target_link_libraries(alcove_xxhash INTERFACE xxhash)
+
+add_library(alcove_lz4 INTERFACE)
+target_link_libraries(alcove_lz4 INTERFACE lz4)
 
 # Debian's embree exports a bare target name.
 add_library(alcove_embree INTERFACE)
