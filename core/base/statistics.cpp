@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include <boost/math/distributions/students_t.hpp>
@@ -63,7 +64,7 @@ Estimate estimate_across_repeats(std::span<const double> per_repeat) {
     return estimate;
 }
 
-std::optional<Estimate> estimate_paired_ratio(const RepeatsByFrames& a, const RepeatsByFrames& b) {
+std::vector<double> compute_paired_log_ratios(const RepeatsByFrames& a, const RepeatsByFrames& b) {
     ALCOVE_ASSERT(a.size() == b.size(), "paired repeats");
     std::vector<double> per_repeat;
     for (std::size_t repeat = 0; repeat < a.size(); ++repeat) {
@@ -75,22 +76,30 @@ std::optional<Estimate> estimate_paired_ratio(const RepeatsByFrames& a, const Re
                 logs.push_back(std::log(ratio));
             }
         }
-        if (!logs.empty()) {
-            per_repeat.push_back(compute_median(logs));
-        }
+        per_repeat.push_back(logs.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                          : compute_median(logs));
     }
+    return per_repeat;
+}
+
+Estimate exponentiate(Estimate of_logs) {
+    of_logs.value = std::exp(of_logs.value);
+    of_logs.minimum = std::exp(of_logs.minimum);
+    of_logs.maximum = std::exp(of_logs.maximum);
+    if (of_logs.interval) {
+        of_logs.interval =
+            Interval{std::exp(of_logs.interval->lower), std::exp(of_logs.interval->upper)};
+    }
+    return of_logs;
+}
+
+std::optional<Estimate> estimate_paired_ratio(const RepeatsByFrames& a, const RepeatsByFrames& b) {
+    std::vector<double> per_repeat = compute_paired_log_ratios(a, b);
+    std::erase_if(per_repeat, [](double value) { return std::isnan(value); });
     if (per_repeat.empty()) {
         return std::nullopt;
     }
-    Estimate estimate = estimate_across_repeats(per_repeat);
-    estimate.value = std::exp(estimate.value);
-    estimate.minimum = std::exp(estimate.minimum);
-    estimate.maximum = std::exp(estimate.maximum);
-    if (estimate.interval) {
-        estimate.interval =
-            Interval{std::exp(estimate.interval->lower), std::exp(estimate.interval->upper)};
-    }
-    return estimate;
+    return exponentiate(estimate_across_repeats(per_repeat));
 }
 
 double compute_minimum_detectable_effect(const Estimate& aa_ratio) {

@@ -44,6 +44,14 @@ struct Estimate {
 /// One number for every frame of every repeat; NaN where a frame has no sample in that repeat.
 using RepeatsByFrames = std::vector<std::vector<double>>;
 
+/// In each repeat the median over frames of log(a/b); NaN for a repeat without any pair. Frames
+/// without a sample in either are left out. Asserts equal shapes.
+[[nodiscard]] std::vector<double> compute_paired_log_ratios(const RepeatsByFrames& a,
+                                                            const RepeatsByFrames& b);
+
+/// The estimate of a ratio from that of its logarithm.
+[[nodiscard]] Estimate exponentiate(Estimate of_logs);
+
 /// Ratio a/b: in each repeat the median over frames of log(a/b), across repeats Student t on the
 /// logs, then exp. Frames without a sample in either are left out; a repeat without any pair is
 /// left out of n. Returns nothing if no repeat has a pair. Asserts equal shapes.

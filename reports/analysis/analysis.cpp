@@ -1,9 +1,8 @@
 #include "reports/analysis/analysis.hpp"
 
+#include "reports/analysis/cell_series.hpp"
 #include "reports/analysis/metrics.hpp"
 #include "reports/analysis/sequences.hpp"
-#include "reports/analysis/series.hpp"
-#include "reports/record/record_csv.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,62 +11,13 @@
 namespace alcove {
 namespace {
 
-constexpr const char* kBasePass = "input/base";
-constexpr const char* kComposePass = "harness/compose";
-
-/// The rows of one cell, sorted by what they mean.
-struct CellSeries {
-    Series envelope;
-    Series converged;
-    /// Held frames rendered so far, by segment and repeat.
-    std::map<std::pair<int, int>, int> held;
-    Series inputs;
-    Series compose;
-    Series divided; ///< sum of its own passes
-    std::vector<std::string> pass_order;
-    std::map<std::string, Series> passes;
-    std::map<std::string, bool> cached;
-};
-
-bool is_input(const std::string& pass) {
-    return pass.starts_with("input/");
-}
-
-void add_row(CellSeries& cell, const SampleRow& row) {
-    const FrameKey frame{row.segment, row.frame};
-    const auto add = [&](Series& series) { series.add(frame, row.repeat, row.time_ns); };
-    if (row.state == SampleState::converged) {
-        // Its times are envelopes, their passes are not tabled. A single is rendered several times
-        // in a repeat, each of them a frame of its own.
-        if (row.kind == SampleKind::envelope) {
-            const int rendering = cell.held[{row.segment, row.repeat}]++;
-            cell.converged.add({row.segment, rendering}, row.repeat, row.time_ns);
-        }
-        return;
-    }
-    if (row.kind == SampleKind::envelope) {
-        add(cell.envelope);
-        return;
-    }
-    if (row.pass == kComposePass) {
-        add(cell.compose);
-        return;
-    }
-    add(is_input(row.pass) ? cell.inputs : cell.divided);
-    if (!cell.passes.contains(row.pass)) {
-        cell.pass_order.push_back(row.pass);
-    }
-    add(cell.passes[row.pass]);
-    cell.cached[row.pass] = cell.cached[row.pass] || row.cached;
-}
-
 std::vector<PassAnalysis> analyze_passes(const CellSeries& series, double tick_ns) {
     std::vector<PassAnalysis> passes;
     for (const std::string& name : series.pass_order) {
         PassAnalysis pass;
         pass.pass = name;
         pass.time_ms = *estimate_time_ms(series.passes.at(name));
-        pass.is_input = is_input(name);
+        pass.is_input = is_input_pass(name);
         pass.is_cached = series.cached.at(name);
         pass.is_under_resolution =
             !pass.is_input && pass.time_ms.value * 1e6 < kResolvedTicks * tick_ns;
@@ -175,17 +125,9 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
     RoundAnalysis result;
     result.round = round;
     result.done = run.read_done(round.id).value_or(RoundDone{});
-    std::map<std::string, CellSeries> series;
-    Series base;
-    for (const SampleRow& row : samples) {
-        if (row.cell == kHarnessCell) {
-            if (row.pass == kBasePass) {
-                base.add({row.segment, row.frame}, row.repeat, row.time_ns);
-            }
-        } else {
-            add_row(series[row.cell], row);
-        }
-    }
+    RoundSeries sorted = sort_samples(samples);
+    const Series& base = sorted.base;
+    std::map<std::string, CellSeries>& series = sorted.cells;
     const auto find_role = [&](CellRole role) {
         const auto found = std::find_if(round.cells.begin(), round.cells.end(),
                                         [&](const CellRecord& cell) { return cell.role == role; });

@@ -24,7 +24,22 @@ std::optional<double> mean_of_all(const std::vector<std::optional<double>>& valu
     return present.empty() ? std::nullopt : std::optional<double>(compute_mean(present));
 }
 
+bool is_single(const RoundRecord& round, int segment) {
+    return round.segments[static_cast<std::size_t>(segment)].is_single();
+}
+
 } // namespace
+
+bool stands_in_cold(const RoundRecord& round, const MetricRow& row) {
+    const bool has_bursts = std::any_of(round.segments.begin(), round.segments.end(),
+                                        [](const SegmentRecord& s) { return !s.is_single(); });
+    return row.state == SampleState::cold && (!has_bursts || !is_single(round, row.segment));
+}
+
+bool stands_in_converged(const RoundRecord& round, const CellRecord& cell, const MetricRow& row) {
+    const SampleState held = cell.warm_frames > 0 ? SampleState::converged : SampleState::cold;
+    return row.state == held && is_single(round, row.segment);
+}
 
 bool is_lower_better(const PlanRecord& plan, const std::string& metric) {
     const MetricDescription* description = find_description(plan, metric);

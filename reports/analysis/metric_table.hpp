@@ -16,6 +16,13 @@ namespace alcove {
 
 [[nodiscard]] bool is_lower_better(const PlanRecord& plan, const std::string& metric);
 
+/// Does a row of an image metric stand in its cell's cold column: bursts (all segments if there is
+/// no burst)?
+[[nodiscard]] bool stands_in_cold(const RoundRecord& round, const MetricRow& row);
+/// ... in its converged column: singles. A cell that is not warmed up has its cold singles there.
+[[nodiscard]] bool stands_in_converged(const RoundRecord& round, const CellRecord& cell,
+                                       const MetricRow& row);
+
 /// Means over rows of one metric and cell.
 [[nodiscard]] MetricAnalysis summarize_metric(const std::string& metric,
                                               const std::vector<const MetricRow*>& rows,

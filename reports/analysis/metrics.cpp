@@ -33,14 +33,7 @@ void summarize_floor(RoundAnalysis& round, bool lower_is_better) {
 void analyze_metrics(RoundAnalysis& round, const std::vector<MetricRow>& rows,
                      const PlanRecord& plan) {
     round.metrics = list_measured(rows, plan, "image");
-    const auto is_single = [&](int segment) {
-        return round.round.segments[static_cast<std::size_t>(segment)].is_single();
-    };
-    const bool has_bursts = std::any_of(round.round.segments.begin(), round.round.segments.end(),
-                                        [](const SegmentRecord& s) { return !s.is_single(); });
     for (CellAnalysis& cell : round.cells) {
-        const SampleState held =
-            cell.cell.warm_frames > 0 ? SampleState::converged : SampleState::cold;
         for (const std::string& metric : round.metrics) {
             std::vector<const MetricRow*> cold;
             std::vector<const MetricRow*> converged;
@@ -51,10 +44,10 @@ void analyze_metrics(RoundAnalysis& round, const std::vector<MetricRow>& rows,
                 if (row.state == SampleState::cold) {
                     cell.frame_errors.push_back(make_frame_error(row));
                 }
-                if (row.state == SampleState::cold && (!has_bursts || !is_single(row.segment))) {
+                if (stands_in_cold(round.round, row)) {
                     cold.push_back(&row);
                 }
-                if (row.state == held && is_single(row.segment)) {
+                if (stands_in_converged(round.round, cell.cell, row)) {
                     converged.push_back(&row);
                 }
             }

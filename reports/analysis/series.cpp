@@ -1,6 +1,7 @@
 #include "reports/analysis/series.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace alcove {
@@ -43,7 +44,15 @@ std::vector<double> get_values(const std::map<int, double>& per_repeat) {
     return values;
 }
 
-std::optional<Estimate> estimate_ratio(const Series& a, const Series& b) {
+namespace {
+
+/// Two series over the frames and repeats of both.
+struct PairedTables {
+    RepeatsByFrames a;
+    RepeatsByFrames b;
+};
+
+PairedTables make_tables(const Series& a, const Series& b) {
     std::map<FrameKey, std::size_t> columns;
     std::size_t repeats = 0;
     for (const Series* series : {&a, &b}) {
@@ -62,7 +71,26 @@ std::optional<Estimate> estimate_ratio(const Series& a, const Series& b) {
         }
         return table;
     };
-    return estimate_paired_ratio(spread(a), spread(b));
+    return {spread(a), spread(b)};
+}
+
+} // namespace
+
+std::optional<Estimate> estimate_ratio(const Series& a, const Series& b) {
+    const PairedTables tables = make_tables(a, b);
+    return estimate_paired_ratio(tables.a, tables.b);
+}
+
+std::map<int, double> compute_log_ratios(const Series& a, const Series& b) {
+    const PairedTables tables = make_tables(a, b);
+    const std::vector<double> logs = compute_paired_log_ratios(tables.a, tables.b);
+    std::map<int, double> per_repeat;
+    for (std::size_t repeat = 0; repeat < logs.size(); ++repeat) {
+        if (!std::isnan(logs[repeat])) {
+            per_repeat[static_cast<int>(repeat)] = logs[repeat];
+        }
+    }
+    return per_repeat;
 }
 
 } // namespace alcove

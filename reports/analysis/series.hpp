@@ -39,5 +39,7 @@ class Series {
 
 /// Ratio a/b paired frame by frame (estimate_paired_ratio).
 [[nodiscard]] std::optional<Estimate> estimate_ratio(const Series& a, const Series& b);
+/// What that is made of: by repeat, the median over frames of log(a/b).
+[[nodiscard]] std::map<int, double> compute_log_ratios(const Series& a, const Series& b);
 
 } // namespace alcove
