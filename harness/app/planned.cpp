@@ -27,10 +27,7 @@ std::span<const Planned> list_planned_verbs() {
 
 std::span<const Planned> list_planned_run_flags() {
     static constexpr std::array kFlags{
-        Planned{"--sweep", "METHOD.PARAM=v1,v2,..."},
-        Planned{"--allow-software", "accept llvmpipe where a GPU was asked for"},
-        Planned{"--audit", "one frame in full"},
-        Planned{"--dry-run", "cells, rounds and estimated time only"},
+        Planned{"--audit", "recompute a random share of what the cache gives"},
         Planned{"--shard", "part I of N of the rounds"},
     };
     return kFlags;

@@ -1,11 +1,14 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/gl/gl_timer_bench.hpp"
+#include "harness/app/context_flags.hpp"
+#include "harness/app/experiment_flags.hpp"
 #include "harness/app/planned.hpp"
 #include "harness/app/progress.hpp"
 #include "harness/app/reports.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/environment.hpp"
+#include "harness/run/estimate.hpp"
 #include "harness/run/run_experiment.hpp"
 
 #include <cstdio>
@@ -20,75 +23,19 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RunFlags {
-    std::string experiment_file;
-    bool quick = false;
-    std::vector<std::string> scenes;
-    std::vector<std::string> methods;
-    std::string size = "384x288";
-    std::string frames;
-    int repeats = 6;
-    std::string target;
-    std::string reference;
-    bool warm = false;
-    std::string precision;
-    std::string context = "auto";
-    std::string effects = "all";
+    ExperimentFlags experiment;
+    bool dry_run = false;
+    ContextFlags context;
     std::string out;
     std::string resume;
 };
-
-constexpr int kMostRepeats = 1000;
-
-Experiment make_experiment(const RunFlags& flags, const std::string& command_line) {
-    if (!flags.experiment_file.empty()) {
-        throw_planned("EXPERIMENT.toml");
-    }
-    if (flags.effects != "all") {
-        const std::vector<std::string> choices{"auto", "all"};
-        if (flags.effects == "auto") {
-            throw_planned("--effects auto");
-        }
-        throw InputError("--effects", "unknown choice", flags.effects,
-                         describe_choices(flags.effects, choices));
-    }
-    if (flags.repeats < 1 || flags.repeats > kMostRepeats) {
-        throw InputError("--repeat", "out of range", std::to_string(flags.repeats), "1 to 1000");
-    }
-    Experiment experiment;
-    experiment.quick = flags.quick;
-    experiment.scenes = flags.scenes;
-    for (const std::string& text : flags.methods) {
-        experiment.methods.push_back(parse_method_spec(text));
-    }
-    experiment.size = parse_size(flags.size);
-    if (!flags.frames.empty()) {
-        experiment.frames = flags.frames;
-    }
-    experiment.repeats = flags.repeats;
-    if (flags.warm && flags.frames.empty()) {
-        throw InputError("--warm", "holds the pose of A before [A,B)", "no --frames",
-                         "--frames A:B");
-    }
-    experiment.warm = flags.warm;
-    experiment.target = flags.target;
-    if (!flags.reference.empty()) {
-        experiment.reference = parse_method_spec(flags.reference, "--reference");
-    }
-    if (!flags.precision.empty()) {
-        experiment.precision = parse_precision(flags.precision);
-    }
-    const bool is_own = !flags.scenes.empty() || !flags.methods.empty();
-    experiment.name = is_own ? "command-line" : flags.quick ? "quick" : "default";
-    experiment.command_line = command_line;
-    return experiment;
-}
 
 void print_notes(const MadePlan& plan) {
     for (const std::string& warning : plan.warnings) {
         fmt::print(stderr, "alcove: warning: {}\n", warning);
     }
-    for (const SkippedScene& skipped : plan.record.skipped) {
-        fmt::print(stderr, "alcove: scene {} is skipped: {}\n", skipped.scene, skipped.reason);
+    for (const SkippedRecord& skipped : plan.record.skipped) {
+        fmt::print(stderr, "alcove: {} is skipped: {}\n", skipped.what, skipped.reason);
     }
 }
 
@@ -136,17 +83,52 @@ gl::TimerReport validate_again(gl::Context& context, const std::string& recorded
     return timers;
 }
 
+/// "1 min 20 s"
+std::string describe_duration(double seconds) {
+    const auto whole = static_cast<std::int64_t>(seconds + 0.5);
+    if (whole < 60) {
+        return fmt::format("{} s", whole);
+    }
+    return whole < 3600 ? fmt::format("{} min {} s", whole / 60, whole % 60)
+                        : fmt::format("{} h {} min", whole / 3600, whole / 60 % 60);
+}
+
+void print_dry_run(const PlanRecord& plan, gl::Context& context, const Units& units) {
+    std::size_t cells = 0;
+    double total_s = 0.0;
+    fmt::print("{:<28} {:>5} {:>7} {:>9} {:>10}\n", "round", "cells", "frames", "size", "time");
+    for (const RoundRecord& round : plan.rounds) {
+        const std::size_t methods = round.cells.size() - 2; // the rest is the anchor
+        const RoundEstimate estimate = estimate_round(context, units, plan, round);
+        cells += methods;
+        total_s += estimate.total_s;
+        fmt::print("{:<28} {:>5} {:>7} {:>9} {:>10}\n", round.id, methods, estimate.frames,
+                   fmt::format("{}x{}", round.width, round.height),
+                   describe_duration(estimate.total_s));
+    }
+    fmt::print("{} cells in {} rounds of {} repeats, {}: about {}, from two frames of each round "
+               "on this machine as busy as it is now, without caches\n",
+               cells, plan.rounds.size(), plan.repeats,
+               plan.skipped.empty() ? "nothing left out"
+                                    : fmt::format("{} left out", plan.skipped.size()),
+               describe_duration(total_s));
+}
+
 int start(const RunFlags& flags, const std::string& command_line) {
     const Units units = get_units();
-    const Experiment experiment = make_experiment(flags, command_line);
-    const gl::ContextKind kind = gl::parse_context_kind(flags.context);
+    const Experiment experiment = make_experiment(flags.experiment, "default", command_line, units);
+    const ContextChoice chosen = flags.context.parse();
     const fs::path out = flags.out.empty()
                              ? fs::path("runs") / (make_utc_stamp() + "-" + experiment.name)
                              : fs::path(flags.out);
     const MadePlan plan = make_plan(experiment, units);
     print_notes(plan);
+    if (flags.dry_run) {
+        print_dry_run(plan.record, *open_chosen_context(chosen), units);
+        return 0;
+    }
     // First: a context that is refused leaves no empty folder behind.
-    const std::unique_ptr<gl::Context> context = gl::open_context(kind);
+    const std::unique_ptr<gl::Context> context = open_chosen_context(chosen);
     create_output_folder(out);
     if (fs::exists(out / "context.json")) { // before seconds go into the timers
         throw InputError(out.string(), "the folder already holds a run", "context.json",
@@ -160,8 +142,7 @@ int start(const RunFlags& flags, const std::string& command_line) {
 int resume(const RunFlags& flags) {
     const Units units = get_units();
     RunFolder run = RunFolder::open(flags.resume);
-    const std::unique_ptr<gl::Context> context =
-        gl::open_context(gl::parse_context_kind(flags.context));
+    const std::unique_ptr<gl::Context> context = open_chosen_context(flags.context.parse());
     // Build and driver first, the clock after seconds of validation.
     ContextRecord here = describe_environment(*context, {});
     here.timer_mode = run.context().timer_mode;
@@ -183,32 +164,9 @@ std::string describe_planned_flags() {
 
 Action add_run_verb(CLI::App& app, const std::string& command_line) {
     auto flags = std::make_shared<RunFlags>();
-    app.add_option("experiment", flags->experiment_file, "EXPERIMENT.toml (planned)");
-    app.add_flag("--quick", flags->quick, "one scene, 24 frames");
-    app.add_option("--scene", flags->scenes,
-                   "NAME[:key=value,...], or a .gltf or .glb file (repeatable)")
-        ->expected(1)
-        ->take_all();
-    app.add_option("--method", flags->methods, "M[@PRESET][:key=value,...][#label] (repeatable)")
-        ->expected(1)
-        ->take_all();
-    app.add_option("--size", flags->size, "WxH in pixels")->capture_default_str();
-    app.add_option("--frames", flags->frames, "A:B, half-open, in place of the default segments");
-    app.add_option("--repeat", flags->repeats, "timing replays a round; 5 or more give intervals")
-        ->capture_default_str();
-    app.add_option("--target", flags->target,
-                   "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform");
-    app.add_option(
-        "--reference", flags->reference,
-        "what errors are measured against: M[@PRESET][:key=value,...][#label]; default "
-        "reference_ray_traced. tssao@reference_480 is what its estimator can do at most");
-    app.add_flag("--warm", flags->warm,
-                 "with --frames A:B: hold the pose of A until histories have converged");
-    app.add_option("--precision", flags->precision,
-                   "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster,motion=16F|32F");
-    app.add_option("--context", flags->context, "auto, osmesa (egl and glfw are planned)")
-        ->capture_default_str();
-    app.add_option("--effects", flags->effects, "all (auto is planned)")->capture_default_str();
+    flags->experiment.add_to(app);
+    app.add_flag("--dry-run", flags->dry_run, "cells, rounds and estimated time only");
+    flags->context.add_to(app);
     app.add_option("--out", flags->out, "run folder; default runs/<UTC>-<experiment>");
     app.add_option("--resume", flags->resume, "continue this run folder");
     app.footer(describe_planned_flags());

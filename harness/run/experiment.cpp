@@ -1,6 +1,7 @@
 #include "harness/run/experiment.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/nearest_name.hpp"
 #include "core/base/text.hpp"
 
 namespace alcove {
@@ -46,11 +47,19 @@ ImageSize parse_size(std::string_view text) {
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
-std::vector<MethodSpec> make_default_methods() {
-    return {parse_method_spec("none"), parse_method_spec("hemisphere_ssao"),
-            parse_method_spec("hemisphere_ssao@strong_blur"),
-            parse_method_spec("hemisphere_ssao:samples=64,blur_radius=0"),
-            parse_method_spec("tssao")};
+std::string_view to_text(EffectsChoice choice) {
+    return choice == EffectsChoice::all ? "all" : "auto";
+}
+
+EffectsChoice parse_effects_choice(std::string_view text) {
+    const std::vector<std::string> names{"all", "auto"};
+    if (text == names[0]) {
+        return EffectsChoice::all;
+    }
+    if (text == names[1]) {
+        return EffectsChoice::automatic;
+    }
+    throw InputError("--effects", "unknown choice", text, describe_choices(text, names));
 }
 
 } // namespace alcove

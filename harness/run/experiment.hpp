@@ -28,25 +28,55 @@ struct MethodSpec {
 /// "WxH", each 1 to 16384. Throws InputError.
 [[nodiscard]] ImageSize parse_size(std::string_view text);
 
+/// all: every pass of every method. automatic: only what the scene calls for (DESIGN 3.12).
+enum class EffectsChoice { all, automatic };
+[[nodiscard]] std::string_view to_text(EffectsChoice choice);
+/// "all" or "auto". Throws InputError with the nearest name.
+[[nodiscard]] EffectsChoice parse_effects_choice(std::string_view text);
+
+/// Which frames of a walkthrough: the default segments, the quick ones, or ranges "A:B".
+struct FrameChoice {
+    enum class Kind { standard, quick, ranges };
+    Kind kind = Kind::standard;
+    std::vector<std::string> ranges; ///< each a segment; checked against the walkthrough
+    /// Holds the pose of A before each [A,B) until histories have converged; ranges only.
+    bool warm = false;
+};
+
+struct SceneChoice {
+    std::string spec;                  ///< "NAME[:key=value,...]" or the path of a glTF file
+    std::optional<FrameChoice> frames; ///< of its own; else the experiment's
+};
+
+/// A combination that an experiment leaves out, and why.
+struct SkippedCombination {
+    std::string label;
+    std::string reason;
+};
+
 struct Experiment {
     std::string name = "default";
-    std::vector<std::string> scenes; ///< names or paths of glTF files; empty: all reported scenes
-    std::vector<MethodSpec> methods; ///< empty: the default suite
-    ImageSize size{384, 288};
-    std::optional<std::string> frames; ///< "A:B"
-    bool warm = false;  ///< holds the pose of A before [A,B) until histories have converged
-    bool quick = false; ///< one scene, 24 frames
+    std::string title;
+    std::vector<SceneChoice> scenes; ///< empty: all reported scenes
+    bool first_scene_only = false;   ///< only the first of them that can be opened
+    std::vector<MethodSpec> methods;
+    std::vector<SkippedCombination> skipped;
+    FrameChoice frames;
+    // Axes that make rounds of their own: every combination is replayed.
+    std::vector<ImageSize> sizes{{384, 288}};
+    std::vector<std::string> targets{""}; ///< over the scene's default; empty: the default
+    std::vector<Precision> precisions{Precision{}};
+    EffectsChoice effects = EffectsChoice::all;
     int repeats = 6;
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
-    std::string target; ///< over the scene's default; empty: the default
-    Precision precision;
     int reference_rays_per_half = 64;
+    std::vector<std::string> metrics; ///< names; empty: all that are reported
     std::uint64_t shuffle_seed = 1;
     std::string command_line; ///< for the record
 };
 
-/// Methods of the default suite: what a newcomer sees first.
-[[nodiscard]] std::vector<MethodSpec> make_default_methods();
+/// 1 to this many timing replays.
+inline constexpr int kMostRepeats = 1000;
 
 } // namespace alcove

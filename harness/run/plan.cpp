@@ -3,10 +3,6 @@
 #include "harness/run/history_record.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
-#include "methods/registry.hpp"
-#include "metrics/registry.hpp"
-#include "scenes/registry.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -62,11 +58,27 @@ CellRecord make_anchor(const MethodUnit& unit, const Target& target, CellRole ro
     return cell;
 }
 
-std::vector<SegmentRecord> choose_segments(const Experiment& experiment, int frame_count) {
-    if (experiment.frames) {
-        return {parse_frames(*experiment.frames, frame_count)};
+std::vector<SegmentRecord> choose_segments(const FrameChoice& frames, int frame_count) {
+    std::vector<SegmentRecord> segments;
+    switch (frames.kind) {
+    case FrameChoice::Kind::standard:
+        return make_default_segments(frame_count);
+    case FrameChoice::Kind::quick:
+        return make_quick_segments(frame_count);
+    case FrameChoice::Kind::ranges:
+        for (const std::string& range : frames.ranges) {
+            segments.push_back(parse_frames(range, frame_count));
+        }
+        break;
     }
-    return experiment.quick ? make_quick_segments(frame_count) : make_default_segments(frame_count);
+    return segments;
+}
+
+/// Those the experiment names, else all that are reported.
+bool is_asked_for(const Experiment& experiment, const MetricUnit& unit) {
+    const std::vector<std::string>& names = experiment.metrics;
+    return names.empty() ? unit.reported
+                         : std::find(names.begin(), names.end(), unit.name) != names.end();
 }
 
 /// The walkthrough's own events and its cuts, in order.
@@ -85,7 +97,7 @@ std::vector<EventRecord> list_events(const Walkthrough& walkthrough) {
     return events;
 }
 
-void describe_units(const Units& units, PlanRecord& record) {
+void describe_units(const Experiment& experiment, const Units& units, PlanRecord& record) {
     std::set<std::string> methods;
     for (const RoundRecord& round : record.rounds) {
         methods.insert(round.reference.method);
@@ -98,7 +110,7 @@ void describe_units(const Units& units, PlanRecord& record) {
         record.methods.push_back({unit.name, unit.title, unit.citation, unit.content_hash});
     }
     for (const MetricUnit& unit : units.metrics.units()) {
-        if (unit.reported) {
+        if (is_asked_for(experiment, unit)) {
             record.metrics.push_back({unit.name, unit.title, unit.unit, unit.definition,
                                       unit.blind_to,
                                       unit.domain == MetricDomain::values ? "values" : "view",
@@ -118,30 +130,43 @@ class ScenePlanner {
     ScenePlanner(const Experiment& experiment, const Units& units, PlanRecord& record)
         : m_experiment(experiment), m_units(units), m_record(record) {}
 
-    void add(const std::string& name, const Scene& scene) {
+    /// Every combination of the axes that make rounds of their own.
+    void add(const std::string& name, const Scene& scene, const FrameChoice& frames) {
         Target base;
         base.radius_m = scene.get_ao_radius_m();
-        const Target target =
-            m_experiment.target.empty() ? base : parse_target(m_experiment.target, base);
+        for (const std::string& target : m_experiment.targets) {
+            for (const ImageSize size : m_experiment.sizes) {
+                for (const Precision& precision : m_experiment.precisions) {
+                    add_combination(name, scene, frames,
+                                    target.empty() ? base : parse_target(target, base), size,
+                                    precision);
+                }
+            }
+        }
+    }
+
+  private:
+    void add_combination(const std::string& name, const Scene& scene, const FrameChoice& frames,
+                         const Target& target, ImageSize size, const Precision& precision) {
         RoundRecord round;
         round.scene = name;
         round.walkthrough = scene.get_walkthrough().name;
         round.target = describe(target);
-        round.width = m_experiment.size.width;
-        round.height = m_experiment.size.height;
-        round.precision = describe(m_experiment.precision);
+        round.width = size.width;
+        round.height = size.height;
+        round.precision = describe(precision);
         round.segments =
-            choose_segments(m_experiment, static_cast<int>(scene.get_walkthrough().cameras.size()));
-        round.warm = m_experiment.warm;
+            choose_segments(frames, static_cast<int>(scene.get_walkthrough().cameras.size()));
+        round.warm = frames.warm;
         round.image_frames = choose_image_frames(round.segments);
         round.film = choose_film(round.segments);
         round.events = list_events(scene.get_walkthrough());
         round.reference = make_cell(m_units.methods.find(m_experiment.reference.method),
                                     m_experiment.reference, target);
         round.reference.id = "reference";
-        const SceneSize size = count_size(scene);
-        round.scene_vertices = size.vertices;
-        round.scene_triangles = size.triangles;
+        const SceneSize scene_size = count_size(scene);
+        round.scene_vertices = scene_size.vertices;
+        round.scene_triangles = scene_size.triangles;
         round.ao_radius_m = scene.get_ao_radius_m();
         const std::vector<MethodSpec>& specs = m_experiment.methods;
         for (std::size_t first = 0; first < specs.size(); first += kMethodsPerRound) {
@@ -152,7 +177,6 @@ class ScenePlanner {
         }
     }
 
-  private:
     void add_round(RoundRecord round, const Target& target, const std::vector<MethodSpec>& specs) {
         const std::string number = std::to_string(m_record.rounds.size() + 1);
         const std::string scene = is_scene_file(round.scene)
@@ -187,41 +211,37 @@ void describe_scene(const SceneUnit& unit, PlanRecord& record) {
     }
 }
 
-/// Specifications of the experiment, or all reported scenes; `quick` takes the first that can be
-/// opened.
-std::vector<std::string> choose_scenes(const Experiment& experiment, const Units& units) {
+/// Of the experiment, or all reported scenes.
+std::vector<SceneChoice> choose_scenes(const Experiment& experiment, const Units& units) {
     if (!experiment.scenes.empty()) {
         return experiment.scenes;
     }
-    std::vector<std::string> names;
+    std::vector<SceneChoice> scenes;
     for (const SceneUnit& unit : units.scenes.units()) {
         if (unit.reported) {
-            names.push_back(unit.name);
+            scenes.push_back({unit.name, std::nullopt});
         }
     }
-    return names;
+    return scenes;
 }
 
 } // namespace
-
-Units get_units() {
-    return {methods_registry(), metrics_registry(), scenes_registry()};
-}
 
 MadePlan make_plan(const Experiment& experiment, const Units& units) {
     MadePlan plan;
     PlanRecord& record = plan.record;
     record.experiment = experiment.name;
+    record.title = experiment.title;
     record.command_line = experiment.command_line;
     record.repeats = experiment.repeats;
     record.shuffle_seed = experiment.shuffle_seed;
     record.reference_rays_per_half = experiment.reference_rays_per_half;
-    Experiment complete = experiment;
-    if (complete.methods.empty()) {
-        complete.methods = make_default_methods();
+    for (const SkippedCombination& skipped : experiment.skipped) {
+        record.skipped.push_back({skipped.label, skipped.reason});
     }
-    ScenePlanner planner(complete, units, record);
-    for (std::string name : choose_scenes(complete, units)) {
+    ScenePlanner planner(experiment, units, record);
+    for (const SceneChoice& choice : choose_scenes(experiment, units)) {
+        std::string name = choice.spec;
         if (is_scene_file(name)) {
             // A run may be continued from another folder.
             name = std::filesystem::absolute(name).lexically_normal().string();
@@ -236,19 +256,20 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
         } else {
             record.scenes.push_back({name, "glTF file of the user", "", "not stated", ""});
         }
-        planner.add(name, *open_scene(units.scenes, name, plan.warnings));
-        if (complete.quick && complete.scenes.empty()) {
+        planner.add(name, *open_scene(units.scenes, name, plan.warnings),
+                    choice.frames.value_or(experiment.frames));
+        if (experiment.first_scene_only) {
             break;
         }
     }
     if (record.rounds.empty()) {
         std::string reasons;
-        for (const SkippedScene& skipped : record.skipped) {
-            reasons += "\n  " + skipped.scene + ": " + skipped.reason;
+        for (const SkippedRecord& skipped : record.skipped) {
+            reasons += "\n  " + skipped.what + ": " + skipped.reason;
         }
         throw FailureError("run", "no scene is left to replay:" + reasons);
     }
-    describe_units(units, record);
+    describe_units(experiment, units, record);
     return plan;
 }
 

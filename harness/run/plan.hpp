@@ -2,20 +2,11 @@
 // From an experiment to a plan: axes -> cells -> rounds. The record is the plan: what is run, and
 // resumed, is read from it alone.
 
-#include "core/contract/method.hpp"
-#include "core/contract/metric.hpp"
 #include "harness/run/experiment.hpp"
+#include "harness/run/units.hpp"
 #include "reports/record/record.hpp"
 
 namespace alcove {
-
-/// The rooms a run draws on.
-struct Units {
-    Registry<MethodUnit> methods;
-    Registry<MetricUnit> metrics;
-    Registry<SceneUnit> scenes;
-};
-[[nodiscard]] Units get_units();
 
 /// Largest number of methods in a round, beside the anchor twice.
 inline constexpr std::size_t kMethodsPerRound = 8;

@@ -22,10 +22,11 @@ RoundCapture::RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, Roun
     : m_stage(stage), m_rows(rows), m_done(done), m_pictures(stage, done, std::move(run_folder)),
       m_truth(make_truth_source(stage)), m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
-    for (const MetricUnit& unit : stage.units().metrics.units()) {
-        if (!unit.reported) {
-            continue;
+    for (const MetricDescription& metric : stage.plan().metrics) {
+        if (metric.kind == "history") {
+            continue; // no unit: numbers that histories carry (history_record)
         }
+        const MetricUnit& unit = stage.units().metrics.find(metric.name);
         const ResolvedParameters defaults = unit.parameters.resolve({}, {});
         if (!unit.is_temporal()) {
             m_metrics.emplace_back(&unit, unit.create(defaults));

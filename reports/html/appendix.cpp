@@ -165,10 +165,10 @@ std::string make_skipped_section(const RunAnalysis& analysis) {
         return {};
     }
     std::string rows;
-    for (const SkippedScene& skipped : analysis.plan.skipped) {
-        rows += make_row({skipped.scene, skipped.reason});
+    for (const SkippedRecord& skipped : analysis.plan.skipped) {
+        rows += make_row({skipped.what, skipped.reason});
     }
-    return "<section id=\"skipped\"><h2>Left out</h2>\n" + make_table({"Scene", "Reason"}, rows) +
+    return "<section id=\"skipped\"><h2>Left out</h2>\n" + make_table({"What", "Reason"}, rows) +
            "</section>\n";
 }
 

@@ -20,7 +20,7 @@ namespace alcove {
 
 /// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
 /// refused by name.
-inline constexpr int kRunSchemaVersion = 2;
+inline constexpr int kRunSchemaVersion = 3;
 
 /// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
 /// Intervals and gates use the envelope.
@@ -151,20 +151,22 @@ struct SceneDescription {
     std::string content_hash;
 };
 
-struct SkippedScene {
-    std::string scene;
-    std::string reason; ///< with the command that mends it
+/// A scene that cannot be opened here, or a combination that the experiment leaves out.
+struct SkippedRecord {
+    std::string what;
+    std::string reason; ///< with the command that mends it, if there is one
 };
 
 struct PlanRecord {
     int schema_version = kRunSchemaVersion;
     std::string experiment; ///< "default", "quick", "command-line"
+    std::string title;      ///< for people; may be empty
     std::string command_line;
     int repeats = 0;
     std::uint64_t shuffle_seed = 0;
     int reference_rays_per_half = 0;
     std::vector<RoundRecord> rounds;
-    std::vector<SkippedScene> skipped;
+    std::vector<SkippedRecord> skipped;
     std::vector<MethodDescription> methods;
     std::vector<MetricDescription> metrics;
     std::vector<SceneDescription> scenes;

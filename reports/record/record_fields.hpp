@@ -99,8 +99,8 @@ void visit(V& v, SceneDescription& r) {
 }
 
 template <class V>
-void visit(V& v, SkippedScene& r) {
-    v("scene", r.scene);
+void visit(V& v, SkippedRecord& r) {
+    v("what", r.what);
     v("reason", r.reason);
 }
 
@@ -108,6 +108,7 @@ template <class V>
 void visit(V& v, PlanRecord& r) {
     v("schema_version", r.schema_version);
     v("experiment", r.experiment);
+    v("title", r.title);
     v("command_line", r.command_line);
     v("repeats", r.repeats);
     v("shuffle_seed", r.shuffle_seed);

@@ -79,9 +79,9 @@ std::string make_terminal_report(const RunAnalysis& analysis, const std::filesys
         text += fmt::format("provisional: {} {:.3f} ms {} (n=1)\n", clean_text(row.label),
                             row.time_ms, analysis.context.device_class);
     }
-    for (const SkippedScene& skipped : analysis.plan.skipped) {
+    for (const SkippedRecord& skipped : analysis.plan.skipped) {
         text +=
-            fmt::format("skipped: {}: {}\n", clean_text(skipped.scene), clean_text(skipped.reason));
+            fmt::format("skipped: {}: {}\n", clean_text(skipped.what), clean_text(skipped.reason));
     }
     if (!analysis.is_complete) {
         text += fmt::format("in progress: {} of {} finished\n", analysis.rounds.size(),

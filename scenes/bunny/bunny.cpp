@@ -50,18 +50,26 @@ std::optional<std::string> find_bunny_obstacle() {
            "folder that has it";
 }
 
+enum class Path { standard, orbit_and_rest };
+
 struct BunnyParameters {
     double turn = 0.0;
+    Path walkthrough = Path::standard;
 };
 
 ParameterTable make_table() {
     return describe_parameters(
-        "bunny", {real(&BunnyParameters::turn, "turn")
-                      .range(0.0, 20.0)
-                      .unit("degrees a frame")
-                      .meaning("above 0 the camera stands still and the bunny turns about its "
-                               "vertical axis at this speed")
-                      .source("ours")});
+        "bunny",
+        {real(&BunnyParameters::turn, "turn")
+             .range(0.0, 20.0)
+             .unit("degrees a frame")
+             .meaning("above 0 the camera stands still and the bunny turns about its "
+                      "vertical axis at this speed")
+             .source("ours"),
+         choice(&BunnyParameters::walkthrough, "walkthrough", {"default", "orbit_and_rest"})
+             .meaning("once around the bunny, or 300 frames of slow orbit and 300 of "
+                      "rest; with turn the camera stands still")
+             .source("ours")});
 }
 
 /// The file's track turns by a degree a frame.
@@ -73,6 +81,18 @@ Walkthrough make_turning_walkthrough(double degrees_a_frame) {
         }
     }
     return walkthrough;
+}
+
+Walkthrough choose_walkthrough(const BunnyParameters& parameters) {
+    if (parameters.turn > 0.0) {
+        if (parameters.walkthrough != Path::standard) {
+            throw InputError("bunny", "turn and walkthrough exclude each other");
+        }
+        return make_turning_walkthrough(parameters.turn);
+    }
+    return get_embedded_walkthrough(parameters.walkthrough == Path::standard
+                                        ? "scenes/bunny/walkthrough.json"
+                                        : "scenes/bunny/walkthrough_orbit_and_rest.json");
 }
 
 std::unique_ptr<Scene> open_bunny(const ResolvedParameters& resolved) {
@@ -92,9 +112,7 @@ std::unique_ptr<Scene> open_bunny(const ResolvedParameters& resolved) {
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(0.4, 1.0, 0.6)), glm::vec3(1.1f, 1.05f, 1.0f)});
     content.lights.ambient = glm::vec3(0.45f, 0.48f, 0.52f);
-    content.walkthrough = parameters.turn > 0.0
-                              ? make_turning_walkthrough(parameters.turn)
-                              : get_embedded_walkthrough("scenes/bunny/walkthrough.json");
+    content.walkthrough = choose_walkthrough(parameters);
     content.ao_radius_m = 0.2;
     return std::make_unique<RigidScene>(std::move(content));
 }

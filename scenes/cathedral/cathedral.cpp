@@ -11,9 +11,12 @@
 namespace alcove {
 namespace {
 
+enum class Path { standard, walk_and_rest };
+
 struct CathedralParameters {
     double detail = 1.0;
     int seed = 1;
+    Path walkthrough = Path::standard;
 };
 
 ParameterTable make_table() {
@@ -31,6 +34,9 @@ ParameterTable make_table() {
              .range(0, 65535)
              .unit("1")
              .meaning("chooses sizes of ornament and wear, and which column stands where")
+             .source("ours"),
+         choice(&P::walkthrough, "walkthrough", {"default", "walk_and_rest"})
+             .meaning("the length of the church, or 300 frames of slow walk and 300 of rest")
              .source("ours")});
 }
 
@@ -51,7 +57,10 @@ std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(-0.45, 0.75, 0.4)), glm::vec3(0.9f, 0.85f, 0.75f)});
     content.lights.ambient = glm::vec3(0.34f, 0.36f, 0.4f);
-    content.walkthrough = get_embedded_walkthrough("scenes/cathedral/walkthrough.json");
+    content.walkthrough =
+        get_embedded_walkthrough(parameters.walkthrough == Path::standard
+                                     ? "scenes/cathedral/walkthrough.json"
+                                     : "scenes/cathedral/walkthrough_walk_and_rest.json");
     content.ao_radius_m = 0.5;
     return std::make_unique<RigidScene>(std::move(content));
 }

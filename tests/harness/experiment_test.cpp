@@ -41,15 +41,6 @@ TEST(MethodSpec, WhatCannotBeReadIsNamed) {
     expect_error([] { static_cast<void>(parse_method_spec("m:samples=8,")); }, 2, {"--method"});
 }
 
-TEST(MethodSpec, DefaultSuiteHasTheFloorOneMethodInThreeFormsAndOneWithHistory) {
-    std::vector<std::string> methods;
-    for (const MethodSpec& spec : make_default_methods()) {
-        methods.push_back(spec.method);
-    }
-    EXPECT_EQ(methods, (std::vector<std::string>{"none", "hemisphere_ssao", "hemisphere_ssao",
-                                                 "hemisphere_ssao", "tssao"}));
-}
-
 TEST(Size, SmallestAndLargestAreAccepted) {
     EXPECT_EQ(parse_size("1x1"), (ImageSize{1, 1}));
     EXPECT_EQ(parse_size("384x288"), (ImageSize{384, 288}));

@@ -12,8 +12,8 @@ namespace {
 
 Experiment make_experiment(std::vector<std::string> methods) {
     Experiment experiment;
-    experiment.scenes = {"template_scene"};
-    experiment.size = {96, 72};
+    experiment.scenes = {{"template_scene", std::nullopt}};
+    experiment.sizes = {{96, 72}};
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }
@@ -52,7 +52,7 @@ TEST(Plan, DefaultsOfTheExperimentReachTheRecord) {
     Experiment experiment = make_experiment({"none"});
     experiment.repeats = 7;
     experiment.shuffle_seed = 99;
-    experiment.frames = "2:5";
+    experiment.frames = {FrameChoice::Kind::ranges, {"2:5"}};
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     EXPECT_EQ(plan.repeats, 7);
     EXPECT_EQ(plan.shuffle_seed, 99u);
@@ -82,7 +82,7 @@ TEST(Plan, ProvenanceSaysWhereEachValueCameFrom) {
 
 TEST(Plan, TheCommandLineWinsOverTheTarget) {
     Experiment experiment = make_experiment({"hemisphere_ssao:radius=0.25", "hemisphere_ssao"});
-    experiment.target = "radius=2";
+    experiment.targets = {"radius=2"};
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     const std::vector<CellRecord>& cells = plan.rounds.at(0).cells;
     EXPECT_EQ(find_parameter(cells.at(2), "radius").value, "0.25");
@@ -94,7 +94,7 @@ TEST(Plan, TheCommandLineWinsOverTheTarget) {
 
 TEST(Plan, WhatAMethodCannotDoIsSaidInTheCell) {
     Experiment experiment = make_experiment({"hemisphere_ssao"});
-    experiment.target = "falloff=quadratic";
+    experiment.targets = {"falloff=quadratic"};
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     EXPECT_FALSE(plan.rounds.at(0).cells.at(2).target_note.empty());
 }
@@ -132,7 +132,7 @@ TEST(Plan, UnknownNamesAreRefusedWithTheNearest) {
     expect_error([] { plan_methods({"hemisphere_ssao:sample=3"}); }, 2,
                  {"sample", "nearest: samples"});
     Experiment experiment = make_experiment({"none"});
-    experiment.scenes = {"cathedrall"};
+    experiment.scenes = {{"cathedrall", std::nullopt}};
     expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 2,
                  {"scenes", "cathedrall", "nearest: cathedral"});
 }
@@ -219,12 +219,12 @@ TEST(Plan, ASceneWithoutItsPackageIsSkippedWithTheCommandThatMendsIt) {
     const TemporaryFolder empty;
     const ScopedVariable modules("ALCOVE_NODE_MODULES", empty.path().string());
     Experiment experiment = make_experiment({"none"});
-    experiment.scenes = {"bunny", "template_scene"};
+    experiment.scenes = {{"bunny", std::nullopt}, {"template_scene", std::nullopt}};
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     ASSERT_EQ(plan.rounds.size(), 1u);
     EXPECT_EQ(plan.rounds[0].scene, "template_scene");
     ASSERT_EQ(plan.skipped.size(), 1u);
-    EXPECT_EQ(plan.skipped[0].scene, "bunny");
+    EXPECT_EQ(plan.skipped[0].what, "bunny");
     EXPECT_NE(plan.skipped[0].reason.find("npm ci"), std::string::npos) << plan.skipped[0].reason;
 }
 
@@ -232,7 +232,7 @@ TEST(Plan, NoSceneLeftIsAFailure) {
     const TemporaryFolder empty;
     const ScopedVariable modules("ALCOVE_NODE_MODULES", empty.path().string());
     Experiment experiment = make_experiment({"none"});
-    experiment.scenes = {"bunny"};
+    experiment.scenes = {{"bunny", std::nullopt}};
     expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 1,
                  {"no scene is left", "bunny", "npm ci"});
 }

@@ -44,8 +44,8 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     const Units all{Registry<MethodUnit>("methods", std::move(units)), shipped.metrics,
                     shipped.scenes};
     Experiment experiment;
-    experiment.scenes = {"template_scene"};
-    experiment.size = {96, 72};
+    experiment.scenes = {{"template_scene", std::nullopt}};
+    experiment.sizes = {{96, 72}};
     experiment.repeats = repeats;
     experiment.shuffle_seed = seed;
     experiment.reference_rays_per_half = 16;

@@ -51,9 +51,10 @@ TEST(SceneSource, ParametersReachTheScene) {
 
 TEST(SceneSource, TwoSpecificationsOfOneSceneAreTwoRoundsAndOneDescription) {
     Experiment experiment;
-    experiment.scenes = {"cathedral:detail=0.125", "template_scene",
-                         "cathedral:seed=2,detail=0.125"};
-    experiment.size = {96, 72};
+    experiment.scenes = {{"cathedral:detail=0.125", std::nullopt},
+                         {"template_scene", std::nullopt},
+                         {"cathedral:seed=2,detail=0.125", std::nullopt}};
+    experiment.sizes = {{96, 72}};
     experiment.methods = {parse_method_spec("none")};
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     ASSERT_EQ(plan.rounds.size(), 3u);
@@ -72,7 +73,7 @@ TEST(SceneSource, TwoSpecificationsOfOneSceneAreTwoRoundsAndOneDescription) {
 
 TEST(SceneSource, WrongParametersOfAMissingSceneAreStillRefused) {
     Experiment experiment;
-    experiment.scenes = {"bunny:trun=1"};
+    experiment.scenes = {{"bunny:trun=1", std::nullopt}};
     experiment.methods = {parse_method_spec("none")};
     expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 2,
                  {"bunny", "nearest: turn"});

@@ -105,7 +105,7 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
             [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
     };
     for (const std::string version : {"1", "3"}) {
-        EXPECT_TRUE(contains(error("\"schema_version\": 2", "\"schema_version\": " + version),
+        EXPECT_TRUE(contains(error("\"schema_version\": 3", "\"schema_version\": " + version),
                              "dir/plan.json: schema_version: another schema version: found `" +
                                  version + "`"));
     }

@@ -105,7 +105,7 @@ void make_hostile(PlanRecord& plan) {
             }
         }
     }
-    for (SkippedScene& skipped : plan.skipped) {
+    for (SkippedRecord& skipped : plan.skipped) {
         skipped.reason += mark;
     }
     for (MetricDescription& metric : plan.metrics) {

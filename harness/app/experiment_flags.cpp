@@ -1,0 +1,138 @@
+#include "harness/app/experiment_flags.hpp"
+
+#include "core/base/error.hpp"
+#include "harness/app/planned.hpp"
+#include "harness/run/experiment_file.hpp"
+#include "harness/run/grid.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace alcove {
+namespace {
+
+void replace_frames(const ExperimentFlags& flags, Experiment& experiment) {
+    if (flags.warm && !flags.frames) {
+        throw InputError("--warm", "holds the pose of A before [A,B)", "no --frames",
+                         "--frames A:B");
+    }
+    if (!flags.quick && !flags.frames) {
+        return;
+    }
+    FrameChoice frames;
+    if (flags.frames) {
+        frames = {FrameChoice::Kind::ranges, {*flags.frames}, flags.warm};
+    } else {
+        frames.kind = FrameChoice::Kind::quick;
+    }
+    experiment.frames = frames;
+    for (SceneChoice& scene : experiment.scenes) {
+        scene.frames.reset();
+    }
+}
+
+} // namespace
+
+void ExperimentFlags::add_to(CLI::App& app) {
+    app.add_option("experiment", experiment,
+                   "name of a shipped experiment (list experiments) or a TOML file");
+    app.add_flag("--quick", quick, "one scene, 24 frames");
+    app.add_option("--scene", scenes, "NAME[:key=value,...], or a .gltf or .glb file (repeatable)")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--method", methods, "M[@PRESET][:key=value,...][#label] (repeatable)")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--sweep", sweeps,
+                   "METHOD.PARAM=v1,v2,...: every value in a cell of its own (repeatable: sweeps "
+                   "of one method cross)")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--metric", metrics, "only this metric (repeatable); default all")
+        ->expected(1)
+        ->take_all();
+    app.add_option("--size", size, "WxH in pixels; default 384x288");
+    app.add_option("--frames", frames, "A:B, half-open, in place of the default segments");
+    app.add_option("--repeat", repeats,
+                   "timing replays a round, default 6; 5 or more give intervals");
+    app.add_option("--target", target,
+                   "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform");
+    app.add_option(
+        "--reference", reference,
+        "what errors are measured against: M[@PRESET][:key=value,...][#label]; default "
+        "reference_ray_traced. tssao@reference_480 is what its estimator can do at most");
+    app.add_flag("--warm", warm,
+                 "with --frames A:B: hold the pose of A until histories have converged");
+    app.add_option("--precision", precision,
+                   "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster,motion=16F|32F");
+    app.add_option("--effects", effects, "all (default), or auto: only what the scene calls for");
+}
+
+Experiment make_experiment(const ExperimentFlags& flags, const std::string& fallback,
+                           const std::string& command_line, const Units& units) {
+    const std::string name = !flags.experiment.empty() ? flags.experiment
+                             : flags.quick             ? "quick"
+                                                       : fallback;
+    Experiment experiment = load_experiment(name, units);
+    if (!flags.scenes.empty()) {
+        experiment.scenes.clear();
+        experiment.first_scene_only = false;
+        for (const std::string& spec : flags.scenes) {
+            experiment.scenes.push_back({spec, std::nullopt});
+        }
+    } else if (flags.quick) {
+        experiment.first_scene_only = true;
+    }
+    if (!flags.methods.empty()) {
+        experiment.methods.clear();
+        experiment.skipped.clear();
+        for (const std::string& text : flags.methods) {
+            experiment.methods.push_back(parse_method_spec(text));
+        }
+    }
+    replace_frames(flags, experiment);
+    if (flags.size) {
+        experiment.sizes = {parse_size(*flags.size)};
+    }
+    if (flags.repeats) {
+        if (*flags.repeats < 1 || *flags.repeats > kMostRepeats) {
+            throw InputError("--repeat", "out of range", std::to_string(*flags.repeats),
+                             "1 to " + std::to_string(kMostRepeats));
+        }
+        experiment.repeats = *flags.repeats;
+    }
+    if (flags.target) {
+        experiment.targets = {*flags.target};
+    }
+    if (flags.reference) {
+        experiment.reference = parse_method_spec(*flags.reference, "--reference");
+    }
+    if (flags.precision) {
+        experiment.precisions = {parse_precision(*flags.precision)};
+    }
+    if (flags.effects) {
+        experiment.effects = parse_effects_choice(*flags.effects);
+    }
+    if (experiment.effects == EffectsChoice::automatic) {
+        throw_planned("--effects auto");
+    }
+    if (!flags.metrics.empty()) {
+        for (const std::string& metric : flags.metrics) {
+            static_cast<void>(units.metrics.find(metric));
+        }
+        experiment.metrics = flags.metrics;
+    }
+    std::vector<Sweep> sweeps;
+    for (const std::string& text : flags.sweeps) {
+        sweeps.push_back(parse_sweep(text));
+    }
+    apply_sweeps(sweeps, units.methods, experiment);
+    const bool is_own = !flags.scenes.empty() || !flags.methods.empty() || !flags.sweeps.empty();
+    if (is_own && flags.experiment.empty()) {
+        experiment.name = "command-line";
+        experiment.title.clear();
+    }
+    experiment.command_line = command_line;
+    return experiment;
+}
+
+} // namespace alcove
