@@ -2,6 +2,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"
+#include "core/gl/device_class.hpp"
+#include "core/gl/egl_context.hpp"
+#include "core/gl/glfw_context.hpp"
 #include "core/gl/osmesa_context.hpp"
 
 #include <algorithm>
@@ -49,11 +52,7 @@ void Context::initialise(Resolver resolve) {
     m_device.vendor = get(GL_VENDOR);
     m_device.renderer = get(GL_RENDERER);
     m_device.version = get(GL_VERSION);
-    const auto has = [this](std::string_view part) {
-        return m_device.renderer.find(part) != std::string::npos;
-    };
-    const bool software = has("llvmpipe") || has("softpipe") || has("swrast") || has("Software");
-    m_device.device_class = software ? "software" : "hardware";
+    m_device.device_class = to_text(classify_device(m_device.vendor, m_device.renderer));
     m_functions.DebugMessageCallback(&Context::collect_message, this);
     m_functions.Enable(GL_DEBUG_OUTPUT);
     m_functions.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
@@ -106,16 +105,35 @@ void Context::reset_state() {
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
-std::unique_ptr<Context> open_context(ContextKind kind) {
+bool is_software(const DeviceInfo& device) {
+    return device.device_class == to_text(DeviceClass::software);
+}
+
+InputError make_software_error(ContextKind kind, std::string_view renderer) {
+    return {"--context " + std::string(to_text(kind)), "turns out to be a software renderer",
+            renderer, "a GPU; --allow-software takes it all the same"};
+}
+
+std::unique_ptr<Context> open_context(ContextKind kind, SoftwarePolicy policy) {
     switch (kind) {
-    case ContextKind::autodetect:
     case ContextKind::osmesa:
         return open_osmesa_context();
     case ContextKind::egl:
-    case ContextKind::glfw:
+        return open_egl_context(EglPlatform::either, policy == SoftwarePolicy::allow
+                                                         ? EglDevices::any
+                                                         : EglDevices::hardware);
+    case ContextKind::glfw: {
+        std::unique_ptr<Context> context = open_glfw_context();
+        if (policy == SoftwarePolicy::refuse && is_software(context->device())) {
+            throw make_software_error(kind, context->device().renderer);
+        }
+        return context;
+    }
+    case ContextKind::autodetect:
         break;
     }
-    throw InputError("--context", "planned, not built yet", to_text(kind), "auto or osmesa");
+    return is_osmesa_installed() ? open_osmesa_context()
+                                 : open_egl_context(EglPlatform::surfaceless, EglDevices::software);
 }
 
 } // namespace alcove::gl

@@ -2,6 +2,7 @@
 // OpenGL 4.5 core contexts. Their libraries are opened at run time, so that one binary starts where
 // one is missing.
 
+#include "core/base/error.hpp"
 #include "core/gl/functions.hpp"
 
 #include <memory>
@@ -11,22 +12,27 @@
 
 namespace alcove::gl {
 
-/// autodetect: the embedded default, OSMesa. egl and glfw have their place here and are refused
-/// until they are built.
+/// Spelt auto, osmesa, egl and glfw on the command line. autodetect is the embedded default:
+/// OSMesa, or EGL's surfaceless platform on llvmpipe where libOSMesa is missing (same device class,
+/// same images; DeviceInfo.context says which it became).
 enum class ContextKind { autodetect, osmesa, egl, glfw };
 [[nodiscard]] std::string_view to_text(ContextKind kind);
 /// Throws InputError with the nearest name.
 [[nodiscard]] ContextKind parse_context_kind(std::string_view text);
 
+/// What becomes of egl and glfw where they turn out to be a software renderer. autodetect and
+/// osmesa are software by definition and never refused.
+enum class SoftwarePolicy { refuse, allow };
+
 /// What executes the passes; printed beside every time.
 struct DeviceInfo {
-    std::string
-        device_class; ///< "software" for llvmpipe, softpipe and swrast; otherwise "hardware"
+    std::string device_class; ///< to_text(DeviceClass), see core/gl/device_class.hpp
     std::string vendor;
     std::string renderer;
     std::string version;
-    std::string context; ///< "osmesa"
+    std::string context; ///< "osmesa", "egl-device", "egl-surfaceless", "glfw"
 };
+[[nodiscard]] bool is_software(const DeviceInfo& device);
 
 class Context {
   public:
@@ -58,8 +64,14 @@ class Context {
     std::vector<std::string> m_errors;
 };
 
-/// Creates a context and makes it current on the calling thread. Throws FailureError naming the
-/// library and package that is missing, or InputError for a kind that is planned.
-[[nodiscard]] std::unique_ptr<Context> open_context(ContextKind kind);
+/// Creates a context and makes it current on the calling thread. egl takes a GPU wherever it finds
+/// one, and a software renderer only if it is allowed and there is no GPU. Throws FailureError
+/// naming the library and package that is missing or what the driver refused, InputError naming the
+/// renderer for a software renderer that is not allowed.
+[[nodiscard]] std::unique_ptr<Context> open_context(ContextKind kind,
+                                                    SoftwarePolicy policy = SoftwarePolicy::refuse);
+
+/// The error of a software renderer where `kind` asked for a GPU.
+[[nodiscard]] InputError make_software_error(ContextKind kind, std::string_view renderer);
 
 } // namespace alcove::gl

@@ -23,11 +23,6 @@ TEST_F(ContextTest, GlErrorsAreThrownOnce) {
     EXPECT_NO_THROW(context().check_errors());
 }
 
-TEST_F(ContextTest, PlannedContextsAreRefused) {
-    EXPECT_THROW(static_cast<void>(gl::open_context(gl::ContextKind::egl)), InputError);
-    EXPECT_THROW(static_cast<void>(gl::parse_context_kind("osmsea")), InputError);
-}
-
 TEST_F(ContextTest, ImagesSurviveTheDeviceTopRowFirst) {
     Image image({3, 2}, 1);
     for (int i = 0; i < 6; ++i) {
