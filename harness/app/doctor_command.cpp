@@ -1,12 +1,16 @@
 #include "core/base/statistics.hpp"
 #include "core/contract/method.hpp"
+#include "core/gl/context_survey.hpp"
 #include "core/gl/gl_timer_bench.hpp"
+#include "harness/app/context_flags.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/environment.hpp"
 #include "harness/run/reference_store.hpp"
 #include "methods/registry.hpp"
 
+#include <cstdio>
 #include <memory>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -40,8 +44,22 @@ double time_anchor(gl::Context& context, gl::TimerMode mode, ImageSize size) {
     return compute_median(times);
 }
 
-int examine(const std::string& kind) {
-    const std::unique_ptr<gl::Context> context = gl::open_context(gl::parse_context_kind(kind));
+void print_contexts(const std::vector<gl::ContextFinding>& findings) {
+    fmt::print("this machine can open\n");
+    for (const gl::ContextFinding& finding : findings) {
+        const bool is_open = finding.failure.empty();
+        fmt::print("  {:<17}{:<14}{}\n", finding.context, is_open ? finding.device_class : "no",
+                   is_open ? finding.renderer : finding.failure);
+    }
+    fmt::print("\n");
+}
+
+int examine(const ContextFlags& flags) {
+    const ContextChoice chosen = flags.parse();
+    // First: where the chosen one is refused, this is what there is to choose from.
+    print_contexts(gl::survey_contexts());
+    std::fflush(stdout);
+    const std::unique_ptr<gl::Context> context = open_chosen_context(chosen);
     gl::GlTimerBench bench(context->functions());
     gl::TimerValidationOptions options;
     options.exhaustive = true;
@@ -67,10 +85,9 @@ int examine(const std::string& kind) {
 } // namespace
 
 Action add_doctor_verb(CLI::App& app) {
-    auto kind = std::make_shared<std::string>("auto");
-    app.add_option("--context", *kind, "auto, osmesa (egl and glfw are planned)")
-        ->capture_default_str();
-    return [kind] { return examine(*kind); };
+    auto flags = std::make_shared<ContextFlags>();
+    flags->add_to(app);
+    return [flags] { return examine(*flags); };
 }
 
 } // namespace alcove
