@@ -94,6 +94,19 @@ ContextRecord describe_environment(const gl::Context& context, const gl::TimerRe
     return record;
 }
 
+std::string describe_drawing(const gl::Context& context) {
+    const BuildInfo build = get_build_info();
+    const gl::DeviceInfo& device = context.device();
+    return std::string(build.frame_id) + "|" + build.compiler + "|" + build.flags + "|" +
+           device.renderer + "|" + device.version + "|" + read_cpu_features();
+}
+
+std::string describe_timing(const gl::Context& context) {
+    const auto threads = static_cast<int>(std::thread::hardware_concurrency());
+    return describe_drawing(context) + "|" + read_cpu_line("model name") + "|" +
+           std::to_string(threads) + "|" + std::to_string(read_driver_threads(threads));
+}
+
 void check_same_environment(const ContextRecord& recorded, const ContextRecord& here) {
     const auto check = [](const char* what, const std::string& then, const std::string& now) {
         if (then != now) {

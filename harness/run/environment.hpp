@@ -15,6 +15,12 @@ namespace alcove {
 /// features, or with another timer, would be continued here.
 void check_same_environment(const ContextRecord& recorded, const ContextRecord& here);
 
+/// What decides the bits of an image beside our own data: the sources that draw, compiler and
+/// flags, renderer, driver and the CPU features it compiles for.
+[[nodiscard]] std::string describe_drawing(const gl::Context& context);
+/// What a time belongs to: the above, the processor and its threads.
+[[nodiscard]] std::string describe_timing(const gl::Context& context);
+
 /// "20261122T013000Z"
 [[nodiscard]] std::string make_utc_stamp();
 

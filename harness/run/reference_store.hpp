@@ -2,7 +2,8 @@
 // Ray-traced references, cached on disk under the content of all that decides them: triangles,
 // camera, size, target, rays and the tracer's own sources; never a commit or a file's time.
 
-#include "core/frame/frame_view.hpp"
+#include "harness/run/cache.hpp"
+#include "harness/run/view_hash.hpp"
 #include "methods/reference_ray_traced/ray_tracer.hpp"
 
 #include <filesystem>
@@ -10,34 +11,32 @@
 
 namespace alcove {
 
-/// `$ALCOVE_CACHE`, else `~/.cache/alcove`, else a folder below the system's temporary one.
-[[nodiscard]] std::filesystem::path get_cache_folder();
-
-/// Largest size of the cache; above it the files used longest ago go.
-inline constexpr std::uintmax_t kCacheLimitBytes = 8ull << 30;
-
 class ReferenceStore {
   public:
-    /// `tracer_hash` is the content hash of methods/reference_ray_traced.
-    ReferenceStore(std::filesystem::path folder, std::string tracer_hash);
+    /// `folder` is the cache; `tracer_hash` the content hash of methods/reference_ray_traced.
+    ReferenceStore(std::filesystem::path folder, std::string tracer_hash, Audit audit = {});
 
     /// From the cache, or traced and put there. A cached file that cannot be read is traced anew.
-    /// `was_cached` says which.
+    /// `was_cached` says which. What the audit draws is traced as well; throws FailureError naming
+    /// the file if a bit differs.
     [[nodiscard]] ReferencePair get(const Scene& scene, const FrameView& view,
                                     const TraceSettings& settings, bool& was_cached);
 
-    /// Removes the files used longest ago until the cache is within `limit`.
-    void prune(std::uintmax_t limit = kCacheLimitBytes) const;
+    /// References that the audit has traced and found equal.
+    [[nodiscard]] std::size_t audited() const noexcept { return m_audited; }
 
   private:
-    [[nodiscard]] std::filesystem::path make_path(const Scene& scene, const FrameView& view,
-                                                  const TraceSettings& settings);
+    [[nodiscard]] std::string make_key(const Scene& scene, const FrameView& view,
+                                       const TraceSettings& settings);
+    [[nodiscard]] ReferencePair trace(const Scene& scene, const FrameView& view,
+                                      const TraceSettings& settings);
 
     std::filesystem::path m_folder;
     std::string m_tracer_hash;
+    Audit m_audit;
     RayTracer m_tracer;
-    const Scene* m_hashed_scene = nullptr;
-    std::string m_geometry_hash;
+    GeometryHash m_geometry;
+    std::size_t m_audited = 0;
 };
 
 } // namespace alcove

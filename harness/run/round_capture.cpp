@@ -17,9 +17,11 @@ bool begins_sequence(const RoundFrame& frame) {
 
 } // namespace
 
-RoundCapture::RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, RoundDone& done,
+RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse,
+                           std::vector<MetricRow>& rows, RoundDone& done,
                            std::filesystem::path run_folder)
-    : m_stage(stage), m_rows(rows), m_done(done), m_pictures(stage, done, std::move(run_folder)),
+    : m_stage(stage), m_reuse(reuse), m_rows(rows), m_done(done),
+      m_pictures(stage, done, std::move(run_folder)),
       m_truth(make_truth_source(stage)), m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
     for (const MetricDescription& metric : stage.plan().metrics) {
@@ -38,6 +40,10 @@ RoundCapture::RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, Roun
     }
 }
 
+bool RoundCapture::takes_part(const MethodCell& cell) const {
+    return cell.record().role == CellRole::method && m_reuse.is_wanted(cell.record().id);
+}
+
 bool RoundCapture::is_single(const RoundFrame& frame) const {
     return m_stage.round().segments[static_cast<std::size_t>(frame.segment)].is_single();
 }
@@ -51,13 +57,14 @@ void RoundCapture::run(const std::function<void()>& frame_done) {
     for (const RoundFrame& single : m_stage.list_singles()) {
         capture_converged(single);
     }
-    m_truth->prune();
+    m_done.audited += static_cast<int>(m_truth->audited());
 }
 
 Truth RoundCapture::get_truth(const FrameView& view) {
     const WallTime wall(m_done.reference_s);
     Truth truth = m_truth->get(view);
     m_done.reference_cached = m_done.reference_cached && truth.was_cached;
+    ++(truth.was_cached ? m_done.references_reused : m_done.references_made);
     return truth;
 }
 
@@ -74,10 +81,7 @@ void RoundCapture::capture_frame(std::size_t index) {
             }
         }
     }
-    const auto takes_part = [](const MethodCell& cell) {
-        return cell.record().role == CellRole::method;
-    };
-    if (std::none_of(m_stage.cells().begin(), m_stage.cells().end(), takes_part)) {
+    if (!m_reuse.is_anything_wanted()) {
         return;
     }
     const Truth truth = get_truth(frame.view);
@@ -98,10 +102,11 @@ void RoundCapture::capture_frame(std::size_t index) {
         const WallTime wall(m_done.gbuffer_s);
         m_stage.render_gbuffers();
     }
-    if (shot.is_film) {
+    const bool takes_reference = m_reuse.is_wanted("reference");
+    if (shot.is_film && takes_reference) {
         m_pictures.write_film_reference(frame.view.index, truth);
     }
-    if (shot.keeps_pictures) {
+    if (shot.keeps_pictures && takes_reference) {
         m_pictures.write_reference(frame.view.index, truth);
     }
     for (MethodCell& cell : m_stage.cells()) {
@@ -125,8 +130,8 @@ void RoundCapture::capture_frame(std::size_t index) {
 void RoundCapture::capture_converged(const RoundFrame& single) {
     const std::vector<int>& kept = m_stage.round().image_frames;
     const RoundFrame held{single.segment, hold(single.view)};
-    const auto converges = [](const MethodCell& cell) {
-        return cell.record().role == CellRole::method && cell.record().warm_frames > 0;
+    const auto converges = [this](const MethodCell& cell) {
+        return takes_part(cell) && cell.record().warm_frames > 0;
     };
     if (std::none_of(m_stage.cells().begin(), m_stage.cells().end(), converges)) {
         return;

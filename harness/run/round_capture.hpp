@@ -4,6 +4,7 @@
 
 #include "core/contract/temporal_metric.hpp"
 #include "harness/run/round_pictures.hpp"
+#include "harness/run/round_reuse.hpp"
 #include "harness/run/sequence_truth.hpp"
 
 #include <filesystem>
@@ -13,9 +14,10 @@ namespace alcove {
 
 class RoundCapture {
   public:
-    /// Rows and wall times go where they are told to; pictures below `run_folder`.
-    RoundCapture(RoundStage& stage, std::vector<MetricRow>& rows, RoundDone& done,
-                 std::filesystem::path run_folder);
+    /// Rows and wall times go where they are told to; pictures below `run_folder`. Only what
+    /// `reuse` wants is captured.
+    RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vector<MetricRow>& rows,
+                 RoundDone& done, std::filesystem::path run_folder);
 
     /// All frames cold, then the singles converged. `frame_done` is called after each cold frame.
     void run(const std::function<void()>& frame_done);
@@ -55,8 +57,10 @@ class RoundCapture {
     [[nodiscard]] MetricRow make_row(const MethodCell& cell, const CellImages& images,
                                      const Shot& shot, const std::string& metric) const;
     [[nodiscard]] bool is_single(const RoundFrame& frame) const;
+    [[nodiscard]] bool takes_part(const MethodCell& cell) const;
 
     RoundStage& m_stage;
+    const RoundReuse& m_reuse;
     std::vector<MetricRow>& m_rows;
     RoundDone& m_done;
     RoundPictures m_pictures;

@@ -25,10 +25,17 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
                 timing.time_repeat(repeat, frame_done);
                 events.repeat_done(result.samples, repeat + 1);
             }
+            timing.store_gbuffers();
         }
-        RoundCapture capture(stage, result.metrics, result.done, run_folder);
+        RoundReuse reuse(stage, run_folder);
+        RoundCapture capture(stage, reuse, result.metrics, result.done, run_folder);
         capture.run(frame_done);
+        reuse.finish(result.metrics, result.done);
+        result.done.gbuffers_drawn = static_cast<int>(stage.gbuffers().drawn());
+        result.done.gbuffers_loaded = static_cast<int>(stage.gbuffers().loaded());
+        result.done.audited += static_cast<int>(stage.gbuffers().audited());
     }
+    prune_cache(get_cache_folder());
     result.done.wall_s = wall_s;
     return result;
 }

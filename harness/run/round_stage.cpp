@@ -1,5 +1,7 @@
 #include "harness/run/round_stage.hpp"
 
+#include "harness/run/environment.hpp"
+
 #include <algorithm>
 
 namespace alcove {
@@ -14,8 +16,11 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
                        const PlanRecord& plan, const RoundRecord& round, const Scene& scene)
     : m_context(context), m_units(units), m_plan(plan), m_round(round), m_scene(scene),
       m_timer(context.functions(), timer_mode), m_size{round.width, round.height},
-      m_renderer(context.functions(), scene), m_compose(context.functions(), m_size),
-      m_precision(parse_precision(round.precision)) {
+      m_compose(context.functions(), m_size),
+      m_gbuffers(context.functions(), scene, m_size, parse_precision(round.precision),
+                 GBufferStore(get_cache_folder(), describe_drawing(context)),
+                 {plan.audit_share, plan.audit_seed},
+                 describe_timing(context) + " " + std::string(gl::to_text(timer_mode))) {
     m_views.emplace(Border{}, FrameView{});
     add_gbuffer(kBaseGBuffer);
     m_cells.reserve(round.cells.size());
@@ -36,6 +41,7 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
             m_frames.push_back(frame);
         }
     }
+    m_loads_gbuffers = find_all_stored();
     m_context.check_errors();
 }
 
@@ -60,20 +66,59 @@ std::vector<GBufferKey> RoundStage::list_gbuffers() const {
 }
 
 void RoundStage::add_gbuffer(const GBufferKey& key) {
-    if (m_gbuffers.contains(key)) {
-        return;
-    }
-    const ImageSize size{m_size.width + 2 * key.border.x, m_size.height + 2 * key.border.y};
-    m_gbuffers.emplace(key, GBuffer(gl(), size, key.channels, m_precision));
+    m_gbuffers.add(key);
     m_views.try_emplace(key.border);
 }
 
-void RoundStage::set_frame(const FrameView& view) {
-    for (auto& [border, extended] : m_views) {
-        extended = extend(view, border);
-    }
+FrameView RoundStage::get_view(const FrameView& view, const Border& border) const {
     // The camera without border is the walkthrough's own, free of rounding.
-    m_views.at({}) = view;
+    return border == Border{} ? view : extend(view, border);
+}
+
+std::vector<FrameView> RoundStage::list_views() const {
+    std::vector<FrameView> views;
+    for (const RoundFrame& frame : m_frames) {
+        views.push_back(frame.view);
+        const bool converges = std::any_of(
+            m_cells.begin(), m_cells.end(),
+            [](const MethodCell& cell) { return cell.record().warm_frames > 0; });
+        const bool is_single =
+            m_round.segments[static_cast<std::size_t>(frame.segment)].is_single();
+        if (converges && is_single) {
+            views.push_back(hold(frame.view));
+        }
+    }
+    return views;
+}
+
+bool RoundStage::find_all_stored() {
+    const std::vector<GBufferKey> keys = list_gbuffers();
+    for (const FrameView& view : list_views()) {
+        for (const GBufferKey& key : keys) {
+            if (!m_gbuffers.is_stored(key, get_view(view, key.border))) {
+                return false;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < m_frames.size(); ++i) {
+        for (const GBufferKey& key : keys) {
+            std::optional<std::vector<std::int64_t>> times =
+                m_gbuffers.read_times(key, get_view(m_frames[i].view, key.border));
+            if (!times || times->empty()) {
+                m_stored_times.clear();
+                return false;
+            }
+            m_stored_times[{i, key}] = std::move(*times);
+        }
+    }
+    return true;
+}
+
+void RoundStage::set_frame(const FrameView& view) {
+    m_frame.reset();
+    for (auto& [border, extended] : m_views) {
+        extended = get_view(view, border);
+    }
     const bool needs_geometry =
         std::any_of(m_cells.begin(), m_cells.end(),
                     [](const MethodCell& cell) { return cell.needs_geometry(); });
@@ -82,12 +127,35 @@ void RoundStage::set_frame(const FrameView& view) {
     }
 }
 
-void RoundStage::render_gbuffer(const GBufferKey& key, PassTiming timing) {
+void RoundStage::set_frame(const RoundFrame& frame) {
+    set_frame(frame.view);
+    m_frame = static_cast<std::size_t>(&frame - m_frames.data());
+    ALCOVE_ASSERT(*m_frame < m_frames.size(), "a frame of frames()");
+}
+
+std::optional<std::int64_t> RoundStage::time_gbuffer(const GBufferKey& key) {
     m_context.reset_state();
     gl().Finish();
-    PassRecorder recorder(timing, &m_timer);
-    const auto pass = recorder.scope("input");
-    m_renderer.render(m_gbuffers.at(key), m_views.at(key.border));
+    const FrameView& view = m_views.at(key.border);
+    if (m_loads_gbuffers && m_gbuffers.load(key, view)) {
+        gl().Finish();
+        return std::nullopt;
+    }
+    PassRecorder recorder(PassTiming::divided, &m_timer);
+    {
+        const auto pass = recorder.scope("input");
+        m_gbuffers.draw(key, view);
+    }
+    return m_timer.collect().front();
+}
+
+void RoundStage::render_gbuffer(const GBufferKey& key) {
+    m_context.reset_state();
+    gl().Finish();
+    const FrameView& view = m_views.at(key.border);
+    if (!m_gbuffers.load(key, view)) {
+        m_gbuffers.draw(key, view);
+    }
 }
 
 void RoundStage::render_gbuffers() {
@@ -96,9 +164,38 @@ void RoundStage::render_gbuffers() {
     }
 }
 
+std::span<const std::int64_t> RoundStage::find_stored_times(const GBufferKey& key) const {
+    if (!m_frame) {
+        return {};
+    }
+    const auto found = m_stored_times.find({*m_frame, key});
+    return found == m_stored_times.end() ? std::span<const std::int64_t>{} : found->second;
+}
+
+void RoundStage::store_gbuffers(const GBufferTimes& times_ns) {
+    const std::vector<GBufferKey> keys = list_gbuffers();
+    m_context.reset_state();
+    for (const FrameView& frame : list_views()) {
+        for (const GBufferKey& key : keys) {
+            const FrameView view = get_view(frame, key.border);
+            if (m_gbuffers.is_stored(key, view)) {
+                m_gbuffers.audit(key, view);
+                continue;
+            }
+            m_gbuffers.draw(key, view);
+            m_gbuffers.store(key, view);
+        }
+    }
+    for (const auto& [place, times] : times_ns) {
+        const auto& [frame, key] = place;
+        m_gbuffers.write_times(key, get_view(m_frames[frame].view, key.border), times);
+    }
+    m_context.check_errors();
+}
+
 MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
     const GBufferKey key = get_key(cell);
-    MethodInputs inputs{m_views.at(key.border), m_gbuffers.at(key)};
+    MethodInputs inputs{m_views.at(key.border), m_gbuffers.get(key)};
     inputs.geometry = cell.needs_geometry() ? &m_geometry : nullptr;
     inputs.lights = &m_scene.get_lights();
     inputs.noise_seed = kNoiseSeed;
@@ -133,14 +230,14 @@ void RoundStage::warm_up(MethodCell& cell, const FrameView& view) {
 
 void RoundStage::draw(const GBuffer& gbuffer) {
     m_context.reset_state();
-    m_renderer.render(gbuffer, m_views.at({}));
+    m_gbuffers.draw_into(gbuffer, m_views.at({}));
 }
 
 void RoundStage::compose(const MethodOutput& output, PassTiming timing) {
     m_context.reset_state();
     gl().Finish();
     PassRecorder recorder(timing, &m_timer);
-    m_compose.render(m_gbuffers.at(kBaseGBuffer), m_scene.get_lights().ambient, output.visibility,
+    m_compose.render(m_gbuffers.get(kBaseGBuffer), m_scene.get_lights().ambient, output.visibility,
                      output.radiance, recorder);
 }
 

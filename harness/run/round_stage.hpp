@@ -1,10 +1,12 @@
 #pragma once
 // A round's scene, G-buffers and living methods: what its timing and its capture share.
 
-#include "core/frame/scene_renderer.hpp"
 #include "harness/run/method_cell.hpp"
+#include "harness/run/round_gbuffers.hpp"
 
 #include <map>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace alcove {
@@ -16,16 +18,6 @@ struct RoundFrame {
     /// Histories are converged on this pose before the frame is shown (RoundRecord::warm).
     bool is_warmed = false;
 };
-
-/// Cells whose G-buffers are alike share one.
-struct GBufferKey {
-    ChannelSet channels;
-    Border border;
-    friend auto operator<=>(const GBufferKey&, const GBufferKey&) = default;
-};
-
-/// The G-buffer that every run rasterises.
-inline constexpr GBufferKey kBaseGBuffer{kBaseChannels, {}};
 
 class RoundStage {
   public:
@@ -49,15 +41,27 @@ class RoundStage {
 
     /// Poses the scene. Every later call speaks of this frame.
     void set_frame(const FrameView& view);
+    /// One of frames(), whose stored times can then be asked for.
+    void set_frame(const RoundFrame& frame);
     /// Makes a G-buffer in the round's precision, unless it is there.
     void add_gbuffer(const GBufferKey& key);
-    /// Resets GL state, waits for the device, and draws, timed if asked for.
-    void render_gbuffer(const GBufferKey& key, PassTiming timing = PassTiming::none);
+    /// Resets GL state, waits for the device, and draws, timed; for `time_ns`, or, where every
+    /// G-buffer of the round is in the cache, loads and returns nothing.
+    std::optional<std::int64_t> time_gbuffer(const GBufferKey& key);
+    /// The same untimed: loads what the cache has, draws what it has not.
+    void render_gbuffer(const GBufferKey& key);
     void render_gbuffers();
+    /// What drawing the frame's G-buffer has cost, one time a repeat; empty unless it was loaded.
+    [[nodiscard]] std::span<const std::int64_t> find_stored_times(const GBufferKey& key) const;
+    /// Once times are taken: puts the frames' G-buffers into the cache with `times_ns`, which maps
+    /// a frame's place in frames() and a key to one time a repeat; audits those that were there.
+    using GBufferTimes = std::map<std::pair<std::size_t, GBufferKey>, std::vector<std::int64_t>>;
+    void store_gbuffers(const GBufferTimes& times_ns);
 
     [[nodiscard]] const GBuffer& get_gbuffer(const GBufferKey& key) const {
-        return m_gbuffers.at(key);
+        return m_gbuffers.get(key);
     }
+    [[nodiscard]] const RoundGBuffers& gbuffers() const { return m_gbuffers; }
     [[nodiscard]] static GBufferKey get_key(const MethodCell& cell) {
         return {cell.channels(), cell.border()};
     }
@@ -75,6 +79,11 @@ class RoundStage {
     void draw(const GBuffer& gbuffer);
 
   private:
+    [[nodiscard]] FrameView get_view(const FrameView& view, const Border& border) const;
+    /// All frames as they are drawn: as replayed, and held where histories converge.
+    [[nodiscard]] std::vector<FrameView> list_views() const;
+    [[nodiscard]] bool find_all_stored();
+
     gl::Context& m_context;
     const Units& m_units;
     const PlanRecord& m_plan;
@@ -82,14 +91,16 @@ class RoundStage {
     const Scene& m_scene;
     gl::IntervalTimer m_timer;
     ImageSize m_size;
-    SceneRenderer m_renderer;
     Compose m_compose;
-    Precision m_precision;
-    std::map<GBufferKey, GBuffer> m_gbuffers;
+    RoundGBuffers m_gbuffers;
     std::map<Border, FrameView> m_views; ///< this frame, extended by each border
     std::vector<MethodCell> m_cells;
     std::vector<RoundFrame> m_frames;
     PosedGeometry m_geometry;
+    /// Every G-buffer of the round was in the cache, with its times, when the round began.
+    bool m_loads_gbuffers = false;
+    GBufferTimes m_stored_times;
+    std::optional<std::size_t> m_frame; ///< place in m_frames of the frame that is set
 };
 
 } // namespace alcove

@@ -80,29 +80,49 @@ void RoundTiming::add_cell_samples(const MethodCell& cell, const RoundFrame& fra
     }
 }
 
+std::optional<RoundTiming::InputTime>
+RoundTiming::time_gbuffer(const GBufferKey& key, const RoundFrame& frame, int repeat) {
+    if (const std::optional<std::int64_t> time_ns = m_stage.time_gbuffer(key)) {
+        const auto place = static_cast<std::size_t>(&frame - m_stage.frames().data());
+        m_gbuffer_times[{place, key}].push_back(*time_ns);
+        return InputTime{*time_ns, false};
+    }
+    // The repeats of the run that drew it stand for this run's.
+    const std::span<const std::int64_t> stored = m_stage.find_stored_times(key);
+    const auto index = static_cast<std::size_t>(repeat);
+    if (index >= stored.size()) {
+        return std::nullopt;
+    }
+    return InputTime{stored[index], true};
+}
+
 void RoundTiming::time_gbuffers(const RoundFrame& frame, int repeat) {
     const WallTime wall(m_done.gbuffer_s);
-    std::int64_t base_ns = 0;
+    std::optional<InputTime> base;
     for (const GBufferKey& key : m_stage.list_gbuffers()) {
-        m_stage.render_gbuffer(key, PassTiming::divided);
-        const std::int64_t time_ns = m_stage.timer().collect().front();
+        const std::optional<InputTime> time = time_gbuffer(key, frame, repeat);
+        if (!time) {
+            continue;
+        }
         if (key == kBaseGBuffer) {
-            base_ns = time_ns;
+            base = time;
             add_sample("harness", frame, repeat, SampleKind::divided, SampleState::cold,
-                       "input/base", time_ns);
+                       "input/base", time->ns);
+            m_samples.back().cached = time->is_cached;
             continue;
         }
         for (const MethodCell& cell : m_stage.cells()) {
-            if (RoundStage::get_key(cell) == key) {
+            if (base && RoundStage::get_key(cell) == key) {
                 add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
-                           name_input(cell), time_ns - base_ns);
+                           name_input(cell), time->ns - base->ns);
+                m_samples.back().cached = time->is_cached;
             }
         }
     }
 }
 
 void RoundTiming::time_frame(const RoundFrame& frame, int repeat) {
-    m_stage.set_frame(frame.view);
+    m_stage.set_frame(frame);
     time_gbuffers(frame, repeat);
     const WallTime wall(m_done.passes_s);
     const bool divided = (repeat + frame.view.index) % 2 != 0;
@@ -135,6 +155,11 @@ void RoundTiming::time_repeat(int repeat, const std::function<void()>& frame_don
     }
     time_converged(repeat);
     m_stage.context().check_errors();
+}
+
+void RoundTiming::store_gbuffers() {
+    const WallTime wall(m_done.gbuffer_s);
+    m_stage.store_gbuffers(m_gbuffer_times);
 }
 
 void RoundTiming::warm_converged_cells() {

@@ -21,6 +21,8 @@ class RoundTiming {
     /// All frames cold, then the converged frames of methods with a history. `frame_done` is called
     /// after each cold frame.
     void time_repeat(int repeat, const std::function<void()>& frame_done);
+    /// After the last repeat: leaves the round's G-buffers and their times in the cache.
+    void store_gbuffers();
 
   private:
     /// A method of its own that holds its converged history over all repeats, so that it is warmed
@@ -30,6 +32,14 @@ class RoundTiming {
         std::unique_ptr<MethodCell> cell;
     };
 
+    /// What drawing a G-buffer costs: now, or in the run that left it in the cache.
+    struct InputTime {
+        std::int64_t ns = 0;
+        bool is_cached = false;
+    };
+
+    [[nodiscard]] std::optional<InputTime> time_gbuffer(const GBufferKey& key,
+                                                        const RoundFrame& frame, int repeat);
     void time_gbuffers(const RoundFrame& frame, int repeat);
     void time_frame(const RoundFrame& frame, int repeat);
     void time_converged(int repeat);
@@ -43,6 +53,7 @@ class RoundTiming {
     std::vector<SampleRow>& m_samples;
     RoundDone& m_done;
     std::vector<ConvergedCell> m_converged;
+    RoundStage::GBufferTimes m_gbuffer_times; ///< of what was drawn
 };
 
 } // namespace alcove

@@ -9,7 +9,8 @@ class RayTracedTruth final : public TruthSource {
   public:
     explicit RayTracedTruth(RoundStage& stage)
         : m_stage(stage),
-          m_store(get_cache_folder(), stage.units().methods.find(kRayTraced).content_hash) {
+          m_store(get_cache_folder(), stage.units().methods.find(kRayTraced).content_hash,
+                  {stage.plan().audit_share, stage.plan().audit_seed}) {
         m_settings.target = parse_target(stage.round().target, {});
         m_settings.rays_per_half = stage.plan().reference_rays_per_half;
     }
@@ -23,7 +24,8 @@ class RayTracedTruth final : public TruthSource {
         truth.mean = compute_mean(*truth.halves);
         return truth;
     }
-    void prune() override { m_store.prune(); }
+
+    [[nodiscard]] std::size_t audited() const override { return m_store.audited(); }
 
   private:
     RoundStage& m_stage;

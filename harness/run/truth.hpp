@@ -25,7 +25,8 @@ class TruthSource {
     TruthSource& operator=(const TruthSource&) = delete;
     /// Truth for one frame, which needs not be the stage's; the stage is left at it.
     [[nodiscard]] virtual Truth get(const FrameView& view) = 0;
-    virtual void prune() {}
+    /// Cached truths that were made again, and agreed.
+    [[nodiscard]] virtual std::size_t audited() const { return 0; }
 
   protected:
     TruthSource() = default;

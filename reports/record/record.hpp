@@ -165,6 +165,8 @@ struct PlanRecord {
     int repeats = 0;
     std::uint64_t shuffle_seed = 0;
     int reference_rays_per_half = 0;
+    double audit_share = 0.0; ///< of what caches give, made anew and compared
+    std::uint64_t audit_seed = 0;
     std::vector<RoundRecord> rounds;
     std::vector<SkippedRecord> skipped;
     std::vector<MethodDescription> methods;
@@ -203,6 +205,21 @@ struct ContextRecord {
     std::string anchor_version;
 };
 
+/// One of the things that decide a captured image or number.
+struct IngredientRecord {
+    std::string name; ///< "scene", "method's sources"
+    std::string value;
+};
+
+/// Why a cell was captured, or was not.
+struct ReuseRecord {
+    std::string what;    ///< a cell's id, or "reference" for its pictures
+    std::string outcome; ///< "reused", "made" or "audited": made, and equal to what was there
+    std::string reason;  ///< for people
+    std::vector<IngredientRecord> names;    ///< which cell it is
+    std::vector<IngredientRecord> contents; ///< in which state
+};
+
 /// A round's closing note, beside its two CSVs.
 struct RoundDone {
     double wall_s = 0.0;
@@ -213,6 +230,12 @@ struct RoundDone {
     double reference_s = 0.0; ///< tracing or reading the reference
     double images_s = 0.0;    ///< writing pictures
     bool reference_cached = false;
+    int gbuffers_drawn = 0;
+    int gbuffers_loaded = 0;
+    int references_made = 0;
+    int references_reused = 0;
+    int audited = 0; ///< cached images, G-buffers and captures that were made again, and agreed
+    std::vector<ReuseRecord> reuse;
 };
 
 /// A run folder on disk.

@@ -113,6 +113,8 @@ void visit(V& v, PlanRecord& r) {
     v("repeats", r.repeats);
     v("shuffle_seed", r.shuffle_seed);
     v("reference_rays_per_half", r.reference_rays_per_half);
+    v("audit_share", r.audit_share);
+    v("audit_seed", r.audit_seed);
     v("rounds", r.rounds);
     v("skipped", r.skipped);
     v("methods", r.methods);
@@ -153,6 +155,21 @@ void visit(V& v, ContextRecord& r) {
 }
 
 template <class V>
+void visit(V& v, IngredientRecord& r) {
+    v("name", r.name);
+    v("value", r.value);
+}
+
+template <class V>
+void visit(V& v, ReuseRecord& r) {
+    v("what", r.what);
+    v("outcome", r.outcome);
+    v("reason", r.reason);
+    v("names", r.names);
+    v("contents", r.contents);
+}
+
+template <class V>
 void visit(V& v, DoneFile& r) {
     v("schema_version", r.schema_version);
     v("wall_s", r.done.wall_s);
@@ -163,6 +180,12 @@ void visit(V& v, DoneFile& r) {
     v("reference_s", r.done.reference_s);
     v("images_s", r.done.images_s);
     v("reference_cached", r.done.reference_cached);
+    v("gbuffers_drawn", r.done.gbuffers_drawn);
+    v("gbuffers_loaded", r.done.gbuffers_loaded);
+    v("references_made", r.done.references_made);
+    v("references_reused", r.done.references_reused);
+    v("audited", r.done.audited);
+    v("reuse", r.done.reuse);
 }
 
 } // namespace alcove::record_fields

@@ -1,0 +1,61 @@
+#pragma once
+// The cache on disk: what can be made again, kept under the content of all that decides it. One
+// folder a kind; entries are files or folders that appear by a rename and are never changed.
+//
+//   references/ab/<key>.exr   ray-traced halves          gbuffers/ab/<key>.texels, .times
+//   captures/ab/<key>/        images and metrics of a cell, with their ingredients
+//   builds/<commit>/          programs that `ab` has built
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alcove {
+
+/// `$ALCOVE_CACHE`, else `~/.cache/alcove`, else a folder below the system's temporary one.
+[[nodiscard]] std::filesystem::path get_cache_folder();
+
+/// Largest size of the cache; above it the entries used longest ago go.
+inline constexpr std::uintmax_t kCacheLimitBytes = 8ull << 30;
+
+/// The kinds of entries, by the names of their folders.
+[[nodiscard]] const std::vector<std::string>& list_cache_kinds();
+
+/// kind/ab/<key><suffix> below `folder`; `key` starts with "ab".
+[[nodiscard]] std::filesystem::path make_cache_path(const std::filesystem::path& folder,
+                                                    const std::string& kind,
+                                                    const std::string& key,
+                                                    const std::string& suffix);
+
+/// Writes a file whole or not at all as far as a kill goes; without waiting for the disk, since a
+/// checksum tells what a power cut has left. Creates its folder. Throws FailureError.
+void write_cache_file(const std::filesystem::path& path, std::string_view bytes);
+
+/// Notes that an entry was used now. Failures (a read-only cache) are no error.
+void mark_used(const std::filesystem::path& entry);
+
+struct CacheEntry {
+    std::string kind;
+    std::filesystem::path path; ///< a file, or a folder that counts as one
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type used;
+};
+/// Everything in the cache, the entry used longest ago first. A folder that is not there is empty.
+[[nodiscard]] std::vector<CacheEntry> list_cache(const std::filesystem::path& folder);
+
+/// Removes the entries used longest ago until the cache is within `limit`; returns the bytes that
+/// went.
+std::uintmax_t prune_cache(const std::filesystem::path& folder,
+                           std::uintmax_t limit = kCacheLimitBytes);
+
+/// A random share of what the cache gives is made anew and compared (DESIGN 3.11; `--audit`). Which
+/// entries is a function of the seed and their keys.
+struct Audit {
+    double share = 0.0; ///< 0 to 1
+    std::uint64_t seed = 0;
+    [[nodiscard]] bool draws(const std::string& key) const;
+};
+
+} // namespace alcove
