@@ -122,6 +122,7 @@ int run_command_line(int argc, char** argv) {
     add("run", "replay scenes through methods; ends with a table and a page",
         [&](CLI::App& verb) { return add_run_verb(verb, line); });
     add("report", "write page and tables of runs anew", add_report_verb);
+    add("compare", "two runs, paired through the anchor", add_compare_verb);
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);

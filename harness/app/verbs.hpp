@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 
 [[nodiscard]] Action add_run_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_report_verb(CLI::App& app);
+[[nodiscard]] Action add_compare_verb(CLI::App& app);
 [[nodiscard]] Action add_list_verb(CLI::App& app);
 [[nodiscard]] Action add_metric_verb(CLI::App& app);
 [[nodiscard]] Action add_reference_verb(CLI::App& app);
