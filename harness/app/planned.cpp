@@ -8,7 +8,6 @@ namespace alcove {
 
 std::span<const Planned> list_planned_verbs() {
     static constexpr std::array kVerbs{
-        Planned{"ab", "two builds or commits, alternately in one go"},
         Planned{"nightly", "run, append to the store, gate against history"},
         Planned{"reproduce", "published figures beside measured ones"},
         Planned{"stability", "the hard cases, method by case"},
