@@ -18,6 +18,7 @@ struct Verb {
     std::string name;
     CLI::App* app;
     Action action;
+    bool passes_rest_on = false; ///< what it does not know is not for it to refuse
 };
 
 std::string join_arguments(int argc, char** argv) {
@@ -82,7 +83,7 @@ int parse_and_run(CLI::App& app, const std::vector<Verb>& verbs, int argc, char*
         return app.exit(success);
     } catch (const CLI::ParseError& error) {
         for (const Verb& verb : verbs) {
-            if (verb.app->parsed()) {
+            if (verb.app->parsed() && !verb.passes_rest_on) {
                 const std::vector<std::string> rest = verb.app->remaining();
                 if (!rest.empty()) {
                     throw_unexpected(*verb.app, rest.front());
@@ -94,7 +95,7 @@ int parse_and_run(CLI::App& app, const std::vector<Verb>& verbs, int argc, char*
     for (const Verb& verb : verbs) {
         if (verb.app->parsed()) {
             const std::vector<std::string> rest = verb.app->remaining();
-            if (!rest.empty()) {
+            if (!rest.empty() && !verb.passes_rest_on) {
                 throw_unexpected(*verb.app, rest.front());
             }
             return verb.action();
@@ -116,15 +117,20 @@ int run_command_line(int argc, char** argv) {
     const auto add = [&](const char* name, const char* meaning, auto&& make) {
         CLI::App* verb = app.add_subcommand(name, meaning);
         verb->allow_extras();
-        verbs.push_back({name, verb, make(*verb)});
+        verbs.push_back({name, verb, make(*verb), false});
     };
     const std::string line = join_arguments(argc, argv);
     add("run", "replay scenes through methods; ends with a table and a page",
         [&](CLI::App& verb) { return add_run_verb(verb, line); });
     add("report", "write page and tables of runs anew", add_report_verb);
+    add("compare", "two runs, paired through the anchor", add_compare_verb);
+    add("ab", "two builds, alternately in one go", add_ab_verb);
+    verbs.back().passes_rest_on = true;
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
+    add("why", "which ingredient made a cell run or be reused", add_why_verb);
+    add("cache", "path, size, verify, prune", add_cache_verb);
     add("doctor", "context, driver, timer validation", add_doctor_verb);
     app.add_subcommand("test", "build and run the tests (./alcove test [--all])");
     if (argc > 1 && argv[1][0] != '-') {

@@ -1,9 +1,12 @@
 #include "harness/app/experiment_flags.hpp"
 
 #include "core/base/error.hpp"
+#include "core/base/text.hpp"
 #include "harness/app/planned.hpp"
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/grid.hpp"
+
+#include <random>
 
 #include <CLI/CLI.hpp>
 
@@ -64,6 +67,8 @@ void ExperimentFlags::add_to(CLI::App& app) {
                  "with --frames A:B: hold the pose of A until histories have converged");
     app.add_option("--precision", precision,
                    "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster,motion=16F|32F");
+    app.add_option("--audit", audit,
+                   "share of what caches give that is made again and must agree; default 0.01");
     app.add_option("--effects", effects, "all (default), or auto: only what the scene calls for");
 }
 
@@ -121,6 +126,14 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         }
         experiment.metrics = flags.metrics;
     }
+    if (flags.audit) {
+        if (!(*flags.audit >= 0.0 && *flags.audit <= 1.0)) {
+            throw InputError("--audit", "out of range", format_number(*flags.audit), "0 to 1");
+        }
+        experiment.audit_share = *flags.audit;
+    }
+    // Another share of the cache every time, and the plan says which.
+    experiment.audit_seed = std::random_device{}();
     std::vector<Sweep> sweeps;
     for (const std::string& text : flags.sweeps) {
         sweeps.push_back(parse_sweep(text));

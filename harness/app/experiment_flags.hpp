@@ -30,6 +30,7 @@ struct ExperimentFlags {
     bool warm = false;
     std::optional<std::string> precision;
     std::optional<std::string> effects;
+    std::optional<double> audit;
 
     /// The flags must outlive the parsing.
     void add_to(CLI::App& app);

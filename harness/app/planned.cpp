@@ -8,15 +8,11 @@ namespace alcove {
 
 std::span<const Planned> list_planned_verbs() {
     static constexpr std::array kVerbs{
-        Planned{"compare", "two runs, paired through the anchor"},
-        Planned{"ab", "two builds or commits, alternately in one go"},
         Planned{"nightly", "run, append to the store, gate against history"},
         Planned{"reproduce", "published figures beside measured ones"},
         Planned{"stability", "the hard cases, method by case"},
         Planned{"recommend", "a method and preset for a quality or a budget"},
         Planned{"score", "new metrics over kept images"},
-        Planned{"why", "which ingredient made a cell run or be reused"},
-        Planned{"cache", "path, size, verify, prune"},
         Planned{"scene", "fetch and export scenes"},
         Planned{"plan", "the effects a scene calls for"},
         Planned{"tune", "fit parameters to a target"},
@@ -27,7 +23,6 @@ std::span<const Planned> list_planned_verbs() {
 
 std::span<const Planned> list_planned_run_flags() {
     static constexpr std::array kFlags{
-        Planned{"--audit", "recompute a random share of what the cache gives"},
         Planned{"--shard", "part I of N of the rounds"},
     };
     return kFlags;

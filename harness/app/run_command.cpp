@@ -6,6 +6,7 @@
 #include "harness/app/planned.hpp"
 #include "harness/app/progress.hpp"
 #include "harness/app/reports.hpp"
+#include "harness/app/turns.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/environment.hpp"
 #include "harness/run/estimate.hpp"
@@ -28,6 +29,8 @@ struct RunFlags {
     ContextFlags context;
     std::string out;
     std::string resume;
+    bool turns = false;
+    std::string clock_of;
 };
 
 void print_notes(const MadePlan& plan) {
@@ -39,7 +42,8 @@ void print_notes(const MadePlan& plan) {
     }
 }
 
-int execute(RunFolder& run, gl::Context& context, gl::TimerMode mode, const Units& units) {
+int execute(RunFolder& run, gl::Context& context, gl::TimerMode mode, const Units& units,
+            const Turns& turns) {
     fmt::print(stderr, "alcove: writing to {} (continue with --resume {})\n", run.path().string(),
                run.path().string());
     {
@@ -55,6 +59,7 @@ int execute(RunFolder& run, gl::Context& context, gl::TimerMode mode, const Unit
             }
             write_reports(run, !run.is_complete(), std::move(rows));
         };
+        events.before_step = [&](const std::string& what) { turns.take(what); };
         run_experiment(run, context, mode, units, events);
     }
     write_reports(run, false, {});
@@ -83,6 +88,21 @@ gl::TimerReport validate_again(gl::Context& context, const std::string& recorded
     return timers;
 }
 
+/// The clock for a new run: the cheapest that is proved, or that of another run, which alone makes
+/// the two comparable.
+gl::TimerReport choose_clock(gl::Context& context, const std::string& clock_of) {
+    if (clock_of.empty()) {
+        return validate(context);
+    }
+    const std::string recorded = RunFolder::open(clock_of).context().timer_mode;
+    gl::TimerReport timers = validate_again(context, recorded);
+    if (gl::to_text(timers.chosen()) != recorded) {
+        throw FailureError("--clock-of", "the clock of that run could not be proved here", recorded,
+                           "a machine with less else to do");
+    }
+    return timers;
+}
+
 /// "1 min 20 s"
 std::string describe_duration(double seconds) {
     const auto whole = static_cast<std::int64_t>(seconds + 0.5);
@@ -107,7 +127,7 @@ void print_dry_run(const PlanRecord& plan, gl::Context& context, const Units& un
                    describe_duration(estimate.total_s));
     }
     fmt::print("{} cells in {} rounds of {} repeats, {}: about {}, from two frames of each round "
-               "on this machine as busy as it is now, without caches\n",
+               "on this machine as busy and with its cache as full as it is now\n",
                cells, plan.rounds.size(), plan.repeats,
                plan.skipped.empty() ? "nothing left out"
                                     : fmt::format("{} left out", plan.skipped.size()),
@@ -134,9 +154,11 @@ int start(const RunFlags& flags, const std::string& command_line) {
         throw InputError(out.string(), "the folder already holds a run", "context.json",
                          "an empty or new folder, or --resume");
     }
-    const gl::TimerReport timers = validate(*context);
+    const Turns turns(flags.turns);
+    turns.take("clock");
+    const gl::TimerReport timers = choose_clock(*context, flags.clock_of);
     RunFolder run = RunFolder::create(out, describe_environment(*context, timers), plan.record);
-    return execute(run, *context, timers.chosen(), units);
+    return execute(run, *context, timers.chosen(), units, turns);
 }
 
 int resume(const RunFlags& flags) {
@@ -147,9 +169,11 @@ int resume(const RunFlags& flags) {
     ContextRecord here = describe_environment(*context, {});
     here.timer_mode = run.context().timer_mode;
     check_same_environment(run.context(), here);
+    const Turns turns(flags.turns);
+    turns.take("clock");
     const gl::TimerReport timers = validate_again(*context, run.context().timer_mode);
     check_same_environment(run.context(), describe_environment(*context, timers));
-    return execute(run, *context, timers.chosen(), units);
+    return execute(run, *context, timers.chosen(), units, turns);
 }
 
 std::string describe_planned_flags() {
@@ -169,6 +193,9 @@ Action add_run_verb(CLI::App& app, const std::string& command_line) {
     flags->context.add_to(app);
     app.add_option("--out", flags->out, "run folder; default runs/<UTC>-<experiment>");
     app.add_option("--resume", flags->resume, "continue this run folder");
+    // For `ab`: written down in harness/README.md, not in --help (an empty group).
+    app.add_flag("--turns", flags->turns, "ask before every step")->group("");
+    app.add_option("--clock-of", flags->clock_of, "use the timer mode of this run")->group("");
     app.footer(describe_planned_flags());
     return [flags, command_line] {
         return flags->resume.empty() ? start(*flags, command_line) : resume(*flags);

@@ -16,9 +16,14 @@ using Action = std::function<int()>;
 
 [[nodiscard]] Action add_run_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_report_verb(CLI::App& app);
+/// Takes what it does not know itself as flags of `run`.
+[[nodiscard]] Action add_ab_verb(CLI::App& app);
+[[nodiscard]] Action add_compare_verb(CLI::App& app);
 [[nodiscard]] Action add_list_verb(CLI::App& app);
 [[nodiscard]] Action add_metric_verb(CLI::App& app);
 [[nodiscard]] Action add_reference_verb(CLI::App& app);
+[[nodiscard]] Action add_why_verb(CLI::App& app);
+[[nodiscard]] Action add_cache_verb(CLI::App& app);
 [[nodiscard]] Action add_doctor_verb(CLI::App& app);
 
 } // namespace alcove

@@ -73,7 +73,9 @@ struct Experiment {
     int reference_rays_per_half = 64;
     std::vector<std::string> metrics; ///< names; empty: all that are reported
     std::uint64_t shuffle_seed = 1;
-    std::string command_line; ///< for the record
+    double audit_share = 0.01;    ///< of what caches give, made anew and compared; 0 to 1
+    std::uint64_t audit_seed = 1; ///< chooses which
+    std::string command_line;     ///< for the record
 };
 
 /// 1 to this many timing replays.

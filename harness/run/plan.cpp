@@ -236,6 +236,8 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     record.repeats = experiment.repeats;
     record.shuffle_seed = experiment.shuffle_seed;
     record.reference_rays_per_half = experiment.reference_rays_per_half;
+    record.audit_share = experiment.audit_share;
+    record.audit_seed = experiment.audit_seed;
     for (const SkippedCombination& skipped : experiment.skipped) {
         record.skipped.push_back({skipped.label, skipped.reason});
     }

@@ -85,4 +85,8 @@ ReferencePair ReferenceStore::get(const Scene& scene, const FrameView& view,
     return pair;
 }
 
+bool ReferenceStore::is_intact(const fs::path& file) {
+    return read_image_file(file).image.channels() == 2;
+}
+
 } // namespace alcove

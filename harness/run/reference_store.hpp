@@ -22,6 +22,9 @@ class ReferenceStore {
     [[nodiscard]] ReferencePair get(const Scene& scene, const FrameView& view,
                                     const TraceSettings& settings, bool& was_cached);
 
+    /// Can the file be read as a reference? For `cache verify`.
+    [[nodiscard]] static bool is_intact(const std::filesystem::path& file);
+
     /// References that the audit has traced and found equal.
     [[nodiscard]] std::size_t audited() const noexcept { return m_audited; }
 

@@ -22,9 +22,11 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
             RoundTiming timing(stage, result.samples, result.done);
             timing.warm_up();
             for (int repeat = 0; repeat < plan.repeats; ++repeat) {
+                events.before_step("repeat " + std::to_string(repeat) + " " + round.id);
                 timing.time_repeat(repeat, frame_done);
                 events.repeat_done(result.samples, repeat + 1);
             }
+            events.before_step("capture " + round.id);
             timing.store_gbuffers();
         }
         RoundReuse reuse(stage, run_folder);

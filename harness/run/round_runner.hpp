@@ -17,6 +17,8 @@ struct RoundResult {
 
 /// What the caller hears from a round while it runs.
 struct RoundEvents {
+    /// Before each timing replay ("repeat 0 ROUND") and the capture ("capture ROUND").
+    std::function<void(const std::string&)> before_step = [](const std::string&) {};
     /// After each frame of each replay: frames done and frames in all.
     std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
     /// After each timing replay, with all samples so far and the repeats that are finished.

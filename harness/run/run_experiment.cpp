@@ -38,10 +38,12 @@ void run_experiment(RunFolder& run, gl::Context& context, gl::TimerMode timer_mo
         const auto share = [&](double within) {
             return (static_cast<double>(index) + within) / static_cast<double>(plan.rounds.size());
         };
+        events.before_step("prepare " + round.id);
         events.progress(share(0.0), round.scene + ": opening");
         std::vector<std::string> ignored; // said when the plan was made
         const std::unique_ptr<Scene> scene = open_scene(units.scenes, round.scene, ignored);
         RoundEvents round_events;
+        round_events.before_step = events.before_step;
         round_events.progress = [&](std::size_t done, std::size_t all) {
             const bool timing = done * static_cast<std::size_t>(plan.repeats + 1) <=
                                 all * static_cast<std::size_t>(plan.repeats);

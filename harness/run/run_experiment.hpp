@@ -22,6 +22,9 @@ struct FirstTime {
 struct RunEvents {
     /// Share of the whole run that is done, in [0,1], and what is being done.
     std::function<void(double, const std::string&)> progress = [](double, const std::string&) {};
+    /// Before each piece of work: preparing a round, a timing repeat, the capture. Work waits until
+    /// it returns.
+    std::function<void(const std::string&)> before_step = [](const std::string&) {};
     /// The page can be rewritten: a round is finished (no first times), or has its first repeat.
     std::function<void(const std::vector<FirstTime>&)> update = [](const std::vector<FirstTime>&) {
     };

@@ -1,7 +1,5 @@
 #include "reports/html/html_report.hpp"
 
-#include "core/base/assert.hpp"
-#include "core/base/embedded_file.hpp"
 #include "core/base/file.hpp"
 #include "core/base/text.hpp"
 #include "reports/analysis/wording.hpp"
@@ -10,6 +8,7 @@
 #include "reports/html/page_data.hpp"
 #include "reports/html/pictures.hpp"
 #include "reports/html/round_section.hpp"
+#include "reports/html/web_files.hpp"
 
 #include <algorithm>
 
@@ -17,20 +16,7 @@
 
 namespace alcove {
 
-/// Generated from reports/web: page.css and the bundle report.js, report.css (empty without
-/// esbuild).
-std::span<const EmbeddedFile> report_web_files();
-
 namespace {
-
-std::string_view find_web_file(std::string_view name) {
-    const auto files = report_web_files();
-    const auto found = std::find_if(files.begin(), files.end(), [&](const EmbeddedFile& file) {
-        return file.name.ends_with(name);
-    });
-    ALCOVE_ASSERT(found != files.end(), "an embedded file of reports/web");
-    return found->text;
-}
 
 std::string make_head(const RunAnalysis& analysis) {
     return fmt::format(

@@ -6,6 +6,9 @@
 #include "reports/record/record.hpp"
 #include "tests/harness/program.hpp"
 
+#include <cstdlib>
+#include <sstream>
+
 namespace alcove {
 namespace {
 
@@ -31,6 +34,18 @@ ChildOptions without_osmesa(const TemporaryFolder& libraries) {
     return options;
 }
 
+/// Where the shell would find it; empty if nowhere.
+fs::path find_on_path(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::istringstream folders(path == nullptr ? "" : path);
+    for (std::string one; std::getline(folders, one, ':');) {
+        if (fs::exists(fs::path(one) / name)) {
+            return fs::path(one) / name;
+        }
+    }
+    return {};
+}
+
 class ContextProgram : public ProgramTest {
   protected:
     static void SetUpTestSuite() {
@@ -44,7 +59,11 @@ class ContextProgram : public ProgramTest {
     static ChildResult run_under_xvfb(const std::vector<std::string>& arguments) {
         std::vector<std::string> words{"-a", program().string()};
         words.insert(words.end(), arguments.begin(), arguments.end());
-        return run_child("/usr/bin/xvfb-run", words, with_cache({}));
+        ChildOptions options;
+        // Mesa's GLX leaves 5 KB of its options behind in libexpat, which GLFW has unmapped by the
+        // time LeakSanitizer looks, so that no suppression by name would match (Mesa 22.3.6).
+        options.environment["ASAN_OPTIONS"] = "detect_leaks=0";
+        return run_child(find_on_path("xvfb-run"), words, with_cache(options));
     }
     /// The run drew with that context, on software, what OSMesa draws.
     static void expect_same_images(const std::string& out, const std::string& context) {
@@ -73,7 +92,7 @@ TEST_F(ContextProgram, AutoWithoutOsmesaIsSurfacelessAndSaysSo) {
 }
 
 TEST_F(ContextProgram, GlfwUnderXvfbDrawsWhatOsmesaDraws) {
-    if (!fs::exists("/usr/bin/xvfb-run")) {
+    if (find_on_path("xvfb-run").empty()) {
         GTEST_SKIP() << "no xvfb-run: the package xvfb";
     }
     const ChildResult result =

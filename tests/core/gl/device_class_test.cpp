@@ -2,16 +2,9 @@
 
 #include "core/gl/device_class.hpp"
 
-#include <ostream>
-
 #include <gtest/gtest.h>
 
 namespace alcove::gl {
-
-// Printed by GoogleTest where a case fails.
-static void PrintTo(DeviceClass device_class, std::ostream* out) {
-    *out << to_text(device_class);
-}
 
 namespace {
 
@@ -22,7 +15,7 @@ struct Device {
 
 void expect_all(DeviceClass expected, std::initializer_list<Device> devices) {
     for (const Device& device : devices) {
-        EXPECT_EQ(classify_device(device.vendor, device.renderer), expected)
+        EXPECT_EQ(to_text(classify_device(device.vendor, device.renderer)), to_text(expected))
             << device.vendor << " | " << device.renderer;
     }
 }

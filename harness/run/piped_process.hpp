@@ -1,0 +1,51 @@
+#pragma once
+// A program that is started, talked to line by line, and never outlives the object that started it.
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace alcove {
+
+/// How a process ended: by itself with an exit code, or by a signal.
+struct ProcessEnd {
+    int exit_code = -1; ///< -1 if a signal ended it
+    int signal = 0;     ///< 0 if none did
+};
+
+class PipedProcess {
+  public:
+    /// Starts `program` with `arguments` as they are: no shell reads them. Standard input and
+    /// output are pipes, standard error goes to the file `log`, which is created anew. Throws
+    /// FailureError naming the program if it cannot be started.
+    PipedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                 std::filesystem::path log);
+    /// Ends it (SIGKILL) if it still runs.
+    ~PipedProcess();
+    PipedProcess(const PipedProcess&) = delete;
+    PipedProcess& operator=(const PipedProcess&) = delete;
+
+    /// Waits for the next line of its standard output, without the line end; nothing once it has
+    /// closed that. Throws FailureError on a line of more than 64 KiB.
+    [[nodiscard]] std::optional<std::string> read_line();
+    /// Writes to its standard input; false if it no longer reads.
+    [[nodiscard]] bool write(std::string_view text);
+    /// Waits until it has ended.
+    [[nodiscard]] ProcessEnd finish();
+    /// The last 16 KiB of its standard error so far.
+    [[nodiscard]] std::string read_log() const;
+
+  private:
+    std::filesystem::path m_log;
+    ::pid_t m_process = -1;
+    int m_input = -1;  ///< our end of its standard input
+    int m_output = -1; ///< our end of its standard output
+    std::string m_buffer;
+    std::optional<ProcessEnd> m_end;
+};
+
+} // namespace alcove

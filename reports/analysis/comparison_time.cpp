@@ -1,0 +1,197 @@
+#include "reports/analysis/comparison_time.hpp"
+
+#include "core/base/hypothesis.hpp"
+
+#include <algorithm>
+
+namespace alcove {
+namespace {
+
+constexpr double kSignificance = 0.05;
+
+using Repeats = std::map<int, double>;
+
+struct Difference {
+    Estimate estimate;
+    std::optional<double> p_value;
+};
+
+Difference make_difference(const MeanTest& test, double minimum, double maximum, std::size_t n) {
+    return {{test.difference, test.interval, minimum, maximum, n}, test.p_value};
+}
+
+std::optional<Difference> difference_of_pairs(const Repeats& base, const Repeats& next) {
+    std::vector<double> a;
+    std::vector<double> b;
+    std::vector<double> differences;
+    for (const auto& [repeat, value] : base) {
+        if (const auto found = next.find(repeat); found != next.end()) {
+            a.push_back(value);
+            b.push_back(found->second);
+            differences.push_back(found->second - value);
+        }
+    }
+    if (a.empty()) {
+        return std::nullopt;
+    }
+    Difference difference{estimate_across_repeats(differences), {}};
+    if (a.size() >= kMinimumRepeatsForInterval) {
+        difference.p_value = test_paired_means(a, b).p_value;
+    }
+    return difference;
+}
+
+std::optional<Difference> difference_of_groups(const Repeats& base, const Repeats& next) {
+    if (base.empty() || next.empty()) {
+        return std::nullopt;
+    }
+    const std::vector<double> a = get_values(base);
+    const std::vector<double> b = get_values(next);
+    const auto [a_minimum, a_maximum] = std::minmax_element(a.begin(), a.end());
+    const auto [b_minimum, b_maximum] = std::minmax_element(b.begin(), b.end());
+    const double minimum = *b_minimum - *a_maximum;
+    const double maximum = *b_maximum - *a_minimum;
+    const std::size_t n = std::min(a.size(), b.size());
+    if (n >= kMinimumRepeatsForInterval) {
+        return make_difference(test_independent_means(a, b), minimum, maximum, n);
+    }
+    return Difference{{compute_mean(b) - compute_mean(a), {}, minimum, maximum, n}, {}};
+}
+
+std::optional<Difference> compute_difference(const Repeats& base, const Repeats& next,
+                                             bool paired) {
+    return paired ? difference_of_pairs(base, next) : difference_of_groups(base, next);
+}
+
+/// In each repeat the median over frames of part / anchor on the same frame. Not the logarithm: an
+/// input cost is a difference and may be negative.
+Repeats compute_shares(const Series& part, const Series& anchor) {
+    std::map<int, std::vector<double>> shares;
+    for (const auto& [frame, repeats] : part.times_ns()) {
+        const auto anchored = anchor.times_ns().find(frame);
+        if (anchored == anchor.times_ns().end()) {
+            continue;
+        }
+        for (const auto& [repeat, time_ns] : repeats) {
+            const auto unit = anchored->second.find(repeat);
+            if (unit != anchored->second.end() && unit->second > 0.0) {
+                shares[repeat].push_back(time_ns / unit->second);
+            }
+        }
+    }
+    Repeats medians;
+    for (const auto& [repeat, values] : shares) {
+        medians[repeat] = compute_median(values);
+    }
+    return medians;
+}
+
+/// Held frames have no anchor of their own: their median over that of the replayed frames.
+Repeats compute_converged(const AnchoredCell& side) {
+    const Repeats anchor = side.anchor.envelope.compute_repeat_medians_ms();
+    Repeats ratios;
+    for (const auto& [repeat, time_ms] : side.cell.converged.compute_repeat_medians_ms()) {
+        const auto unit = anchor.find(repeat);
+        if (unit != anchor.end() && unit->second > 0.0) {
+            ratios[repeat] = time_ms / unit->second;
+        }
+    }
+    return ratios;
+}
+
+std::optional<Estimate> estimate(const Repeats& repeats) {
+    return repeats.empty() ? std::nullopt
+                           : std::optional(estimate_across_repeats(get_values(repeats)));
+}
+
+PartComparison compare_part(const std::string& part, const Repeats& base, const Repeats& next,
+                            bool paired) {
+    PartComparison result;
+    result.part = part;
+    result.base = estimate(base);
+    result.next = estimate(next);
+    if (const auto difference = compute_difference(base, next, paired)) {
+        result.difference = difference->estimate;
+    }
+    return result;
+}
+
+Repeats compute_pass(const AnchoredCell& side, const std::string& pass) {
+    const auto found = side.cell.passes.find(pass);
+    return found == side.cell.passes.end() ? Repeats()
+                                           : compute_shares(found->second, side.anchor.divided);
+}
+
+bool is_cached(const CellSeries& cell, const std::string& pass) {
+    const auto found = cell.cached.find(pass);
+    return found != cell.cached.end() && found->second;
+}
+
+} // namespace
+
+std::optional<TimeComparison> compare_times(const AnchoredCell& base, const AnchoredCell& next,
+                                            const ComparisonOptions& options) {
+    const Repeats base_logs = compute_log_ratios(base.cell.envelope, base.anchor.envelope);
+    const Repeats next_logs = compute_log_ratios(next.cell.envelope, next.anchor.envelope);
+    const auto difference = compute_difference(base_logs, next_logs, options.paired);
+    if (!difference) {
+        return std::nullopt;
+    }
+    TimeComparison time;
+    time.base = exponentiate(*estimate(base_logs));
+    time.next = exponentiate(*estimate(next_logs));
+    time.change = exponentiate(difference->estimate);
+    time.p_value = difference->p_value;
+    time.detectable = std::max(base.detectable, next.detectable);
+    time.margin = std::max(options.margin, time.detectable);
+    return time;
+}
+
+void judge_times(const std::vector<TimeComparison*>& times) {
+    std::vector<TimeComparison*> tested;
+    std::vector<double> p_values;
+    for (TimeComparison* time : times) {
+        if (time->p_value && time->change.interval) {
+            tested.push_back(time);
+            p_values.push_back(*time->p_value);
+        }
+    }
+    const std::vector<double> adjusted = adjust_holm(p_values);
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+        TimeComparison& time = *tested[i];
+        time.adjusted_p_value = adjusted[i];
+        const Interval change = *time.change.interval;
+        const double upper = 1.0 + time.margin;
+        const double lower = 1.0 / upper;
+        if (adjusted[i] <= kSignificance && change.lower > upper) {
+            time.verdict = Verdict::worse;
+        } else if (adjusted[i] <= kSignificance && change.upper < lower) {
+            time.verdict = Verdict::better;
+        } else if (change.lower >= lower && change.upper <= upper) {
+            time.verdict = Verdict::same;
+        }
+    }
+}
+
+std::vector<PartComparison> compare_parts(const AnchoredCell& base, const AnchoredCell& next,
+                                          bool paired) {
+    std::vector<std::string> passes = base.cell.pass_order;
+    for (const std::string& pass : next.cell.pass_order) {
+        if (!base.cell.passes.contains(pass)) {
+            passes.push_back(pass);
+        }
+    }
+    std::vector<PartComparison> parts;
+    for (const std::string& pass : passes) {
+        parts.push_back(
+            compare_part(pass, compute_pass(base, pass), compute_pass(next, pass), paired));
+        parts.back().is_cached = is_cached(base.cell, pass) || is_cached(next.cell, pass);
+    }
+    if (!base.cell.converged.empty() || !next.cell.converged.empty()) {
+        parts.push_back(
+            compare_part("converged", compute_converged(base), compute_converged(next), paired));
+    }
+    return parts;
+}
+
+} // namespace alcove
