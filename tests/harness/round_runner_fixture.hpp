@@ -35,6 +35,8 @@ class RoundRunnerTest : public GlTest {
 
     /// Set before run(): what is measured against, instead of traced rays.
     std::string m_reference;
+    /// Set before run(): of what the cache gives, made again and compared.
+    double m_audit_share = 0.0;
     /// Set before run(): the burst is kept as a film.
     bool m_films_burst = false;
 
