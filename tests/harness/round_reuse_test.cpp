@@ -15,6 +15,8 @@ namespace fs = std::filesystem;
 
 class Reuse : public RoundRunnerTest {
   protected:
+    Reuse() { m_keeps_cache = true; }
+
     std::map<std::string, std::string> list_outcomes() const {
         std::map<std::string, std::string> outcomes;
         for (const ReuseRecord& item : m_result.done.reuse) {
