@@ -48,18 +48,24 @@ void judge_errors(const Evidence& evidence, Judge& judge) {
     judge.set("TSSAO-085", ritschel);
     const CellAddress moving_tssao{"moving", 0, kTssao};
     const CellAddress moving_ssao{"moving", 0, kSsao};
-    const std::string on = "moving_objects against ray tracing";
-    judge.set("TSSAO-128",
-              combine_findings({fox_compton, ritschel,
-                                compare(evidence, moving_tssao, moving_ssao, "rmse", kCold, on)},
-                               "TSSAO's rmse is not above SSAO's in any part"));
+    const CellAddress walking_tssao{"walk", 0, kTssao};
+    const CellAddress walking_ssao{"walk", 0, kSsao};
+    const std::string on = "moving_objects, fixed camera, against 480 samples";
+    const std::string on_walk = "a walk through the cathedral against 480 samples";
+    judge.set(
+        "TSSAO-128",
+        combine_findings({fox_compton, ritschel,
+                          compare(evidence, walking_tssao, walking_ssao, "rmse", kCold, on_walk),
+                          compare(evidence, moving_tssao, moving_ssao, "rmse", kCold, on)},
+                         "TSSAO's rmse is not above SSAO's in any part"));
     const Estimate closeness =
         evidence.estimate_metric({"stills_ritschel", 0, kTssao}, "rmse", kConverged);
     judge.set("TSSAO-129", {judge_below(closeness, 0.01),
                             "converged TSSAO is within rmse 0.01 (2.6/255) of 480 samples",
                             closeness, "eight still views of the cathedral"});
+    // Before a fixed camera SSAO's noise stands still on the screen: only a walk shows it flicker.
     judge.set("TSSAO-130",
-              compare(evidence, moving_tssao, moving_ssao, "temporal_flicker", kCold, on));
+              compare(evidence, walking_tssao, walking_ssao, "temporal_flicker", kCold, on_walk));
     const CellAddress hemisphere{"ray_traced", 0, "TSSAO Ritschel"};
     const CellAddress disc{"ray_traced", 0, "TSSAO Fox & Compton"};
     judge.set("TSSAO-090", compare(evidence, hemisphere, disc, "rmse", kConverged,
@@ -141,12 +147,8 @@ void judge_motion(const Evidence& evidence, Judge& judge) {
                "a box that leaves the floor"});
     const auto filter = [](const char* label) { return CellAddress{"filter", 0, label}; };
     const std::string on = "a bunny that turns 2 degrees a frame, against 480 samples";
-    judge.set("TSSAO-083",
-              combine_findings(
-                  {compare(evidence, filter("filter on"), filter("filter off"), "temporal_flicker",
-                           kCold, on),
-                   compare(evidence, filter("filter on"), filter("filter off"), "rmse", kCold, on)},
-                  "the filter lowers flicker and error"));
+    judge.set("TSSAO-083", compare(evidence, filter("filter on"), filter("filter off"),
+                                   "temporal_flicker", kCold, on));
 }
 
 } // namespace
