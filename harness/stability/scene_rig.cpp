@@ -69,8 +69,7 @@ RigShot SceneRig::settle(Method& method, int frame, int frames, const ShotOption
     const FrameView first = get_view(frame, true);
     RigShot shot = shoot(method, first, options);
     for (int i = 1; i < frames; ++i) {
-        FrameView held = hold(first);
-        held.objects_may_move = false;
+        const FrameView held = hold(first);
         shot = shoot(method, held, options);
     }
     return shot;

@@ -18,7 +18,7 @@ std::unique_ptr<Scene> make_bars_case(double width_m) {
         content.objects.push_back({"bar " + std::to_string(i), 0});
         // Three in front, three behind that they cover in part.
         const bool is_behind = i % 2 == 1;
-        const glm::dvec3 place(-2.0 + 1.6 * (i / 2) + (is_behind ? 0.45 : 0.0), 0.0,
+        const glm::dvec3 place(2.6 * (i / 2 - 1) + (is_behind ? 0.6 : 0.0), 0.0,
                                is_behind ? -8.0 : -5.0);
         content.transforms.push_back(glm::rotate(glm::translate(glm::dmat4(1.0), place),
                                                  0.2 + 0.25 * i, glm::dvec3(0.0, 1.0, 0.0)));

@@ -7,8 +7,8 @@
 
 namespace alcove {
 
-/// Six bars, square in section and `width_m` wide, turned about their axes, 5 m away and 3 m apart
-/// in depth: none is near enough to another to block it. Radius 0.5 m, FOV 60 degrees.
+/// Six bars, square in section, turned about their axes, three at 5 m and three at 8 m, 2.6 m
+/// apart: up to a width of 1.4 m none is within the radius of 0.5 m of another. FOV 60 degrees.
 [[nodiscard]] std::unique_ptr<Scene> make_bars_case(double width_m);
 
 } // namespace alcove

@@ -86,8 +86,7 @@ struct DamageRig {
     std::vector<Image> replay(const StabilitySubject& subject, const GBufferEdit& edit, int begin,
                               int end) {
         const std::unique_ptr<Method> method = subject.create(scene->get_ao_radius_m(), rig.size());
-        FrameView held = hold(first);
-        held.objects_may_move = false;
+        const FrameView held = hold(first);
         std::vector<Image> images;
         for (int frame = 0; frame < kFrames; ++frame) {
             ShotOptions options;

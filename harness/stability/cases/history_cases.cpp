@@ -89,8 +89,7 @@ StabilityScore measure_return(const StabilitySubject& subject, ImageSize size, d
     const Image fresh = rig.settle(*method, 0, 1).visibility;
     worst.check(fresh, history.depth);
     static_cast<void>(rig.shoot(*method, rig.get_view(1)));
-    FrameView away = hold(rig.get_view(1));
-    away.objects_may_move = false;
+    const FrameView away = hold(rig.get_view(1));
     for (int frame = 1; frame < static_cast<int>(frames_away); ++frame) {
         static_cast<void>(rig.shoot(*method, away));
     }
@@ -106,8 +105,7 @@ StabilityScore measure_drift(const StabilitySubject& subject, ImageSize size, do
     HistoryRig history(subject, size);
     const std::unique_ptr<Method> method = subject.create(history.scene->get_ao_radius_m(), size);
     const Image before = history.rig.settle(*method, 0, kSettled).visibility;
-    FrameView held = hold(history.rig.get_view(0));
-    held.objects_may_move = false;
+    const FrameView held = hold(history.rig.get_view(0));
     Image after = before;
     for (int frame = 0; frame < static_cast<int>(frames); ++frame) {
         after = history.rig.shoot(*method, held).visibility;

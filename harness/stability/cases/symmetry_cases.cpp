@@ -91,6 +91,12 @@ StabilityScore measure(const StabilitySubject& subject, ImageSize size, double f
     return worst.finish(plain);
 }
 
+/// With odd sizes every second pixel is mirrored onto every second pixel, so that a method at half
+/// size sees the same surface points.
+ImageSize make_odd(ImageSize size) {
+    return {size.width | 1, size.height | 1};
+}
+
 std::string find_obstacle(const StabilitySubject& subject) {
     const MethodRequests requests = subject.get_requests();
     if (requests.posed_geometry) {
@@ -151,7 +157,7 @@ std::vector<StabilityCase> make_symmetry_cases() {
         "mirror", "Mirror images", "mirrored",
         "reported: one side sampled for 26 months (DiligentGraphics/DiligentFX, commit 4c1d1e80)");
     mirror.measure = [](const StabilitySubject& subject, ImageSize size, double severity) {
-        return measure(subject, size, severity, {make_mirror(true), make_mirror(false)});
+        return measure(subject, make_odd(size), severity, {make_mirror(true), make_mirror(false)});
     };
     StabilityCase turn = make_case(
         "quarter_turn", "Turned by 90 degrees", "turned by 90 degrees",
@@ -159,7 +165,7 @@ std::vector<StabilityCase> make_symmetry_cases() {
         "commit 69693157)");
     turn.measure = [](const StabilitySubject& subject, ImageSize size, double severity) {
         const int side = std::max(size.width, size.height);
-        return measure(subject, {side, side}, severity, {make_turn()});
+        return measure(subject, make_odd({side, side}), severity, {make_turn()});
     };
     return {std::move(mirror), std::move(turn)};
 }
