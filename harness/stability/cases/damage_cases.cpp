@@ -206,7 +206,7 @@ std::vector<StabilityCase> make_damage_cases() {
         "blur",
         "pixels beyond the reach that differ by more than a code, on the worst frame",
         "pixels",
-        "none, for the same reach as with NaN",
+        "none: no kernel of such a pixel meets the square, for the same reach as with NaN",
     };
     zero.find_obstacle = find_obstacle;
     zero.measure = measure_zero_normals;

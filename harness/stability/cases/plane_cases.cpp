@@ -7,6 +7,8 @@
 
 #include <cmath>
 
+#include <glm/trigonometric.hpp>
+
 namespace alcove {
 namespace {
 
@@ -16,6 +18,14 @@ struct PlaneView {
     PlaneSettings plane;
     double radius_m = kRadius;
 };
+
+/// The angle of view at which pixels of this image are as fine as the contract tests' (384x288 at
+/// 60 degrees), for which tolerances are declared.
+double compute_contract_fov(ImageSize size) {
+    constexpr double kContractHeight = 288.0;
+    return glm::degrees(2.0 *
+                        std::atan(std::tan(glm::radians(30.0)) * size.height / kContractHeight));
+}
 
 enum class Tolerance { up_to_60_degrees, at_75_degrees };
 
@@ -51,7 +61,7 @@ struct PlaneFamily {
     StabilityCaseRecord about;
     Tolerance tolerance = Tolerance::up_to_60_degrees;
     bool needs_radius = true;
-    std::function<std::vector<PlaneView>(double)> make_views;
+    std::function<std::vector<PlaneView>(double severity, ImageSize size)> make_views;
 };
 
 StabilityCase make_case(PlaneFamily family) {
@@ -71,7 +81,7 @@ StabilityCase make_case(PlaneFamily family) {
     };
     made.measure = [tolerance = family.tolerance, make_views = family.make_views](
                        const StabilitySubject& subject, ImageSize size, double severity) {
-        return measure(subject, size, make_views(severity), tolerance);
+        return measure(subject, size, make_views(severity, size), tolerance);
     };
     return made;
 }
@@ -91,11 +101,12 @@ StabilityCaseRecord describe(const char* name, const char* title, const char* tr
 }
 
 /// A plane that faces the camera and one that leans 60 degrees, at 5 m.
-std::vector<PlaneView> make_radius_views(double radius_m) {
-    return {{{5.0, 0.0, 60.0}, radius_m}, {{5.0, 60.0, 60.0}, radius_m}};
+std::vector<PlaneView> make_radius_views(double radius_m, ImageSize size) {
+    const double fov = compute_contract_fov(size);
+    return {{{5.0, 0.0, fov}, radius_m}, {{5.0, 60.0, fov}, radius_m}};
 }
 
-std::vector<PlaneView> make_fov_views(double degrees) {
+std::vector<PlaneView> make_fov_views(double degrees, ImageSize) {
     return {{{5.0, 0.0, degrees}, kRadius}};
 }
 
@@ -140,8 +151,9 @@ std::vector<StabilityCase> make_plane_cases() {
                   "reported: areas close to the camera go dark (DiligentGraphics/DiligentFX#118); "
                   "samples with w <= 0 (Mattausch et al. 2010, edge cases of section 3)",
                   "distance", "m", {5.0, 1.0, 0.5, 0.1, 0.02}),
-         Tolerance::up_to_60_degrees, false, [](double distance_m) {
-             return std::vector<PlaneView>{{{distance_m, 30.0, 60.0}, kRadius}};
+         Tolerance::up_to_60_degrees, false, [](double distance_m, ImageSize size) {
+             return std::vector<PlaneView>{
+                 {{distance_m, 30.0, compute_contract_fov(size)}, kRadius}};
          }}));
     cases.push_back(make_case(
         {describe("plane_grazing", "Grazing plane",
@@ -150,8 +162,8 @@ std::vector<StabilityCase> make_plane_cases() {
                   "reported: a flat plane darkens itself (qgis/QGIS#49702); depth-resolution "
                   "speckle of rays almost parallel to the surface (\"Know your SSAO artifacts\")",
                   "tilt", "deg", {60.0, 75.0, 80.0, 85.0, 88.0}),
-         Tolerance::at_75_degrees, false, [](double degrees) {
-             return std::vector<PlaneView>{{{5.0, degrees, 60.0}, kRadius}};
+         Tolerance::at_75_degrees, false, [](double degrees, ImageSize size) {
+             return std::vector<PlaneView>{{{5.0, degrees, compute_contract_fov(size)}, kRadius}};
          }}));
     return cases;
 }
