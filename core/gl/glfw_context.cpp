@@ -4,6 +4,9 @@
 #include "core/gl/library.hpp"
 
 #include <array>
+#include <chrono>
+#include <cstdlib>
+#include <thread>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -37,7 +40,7 @@ struct Glfw {
 class GlfwContext final : public Context {
   public:
     GlfwContext() : Context("glfw") {
-        if (m_glfw.init() == GLFW_FALSE) {
+        if (!try_init()) {
             throw FailureError("GLFW", "cannot be initialised", m_glfw.read_error(),
                                "a display: set DISPLAY, or start under `xvfb-run -a`");
         }
@@ -56,6 +59,23 @@ class GlfwContext final : public Context {
     }
 
   private:
+    /// An X server starts anew when its last client leaves (Xvfb does, after the survey's window)
+    /// and for a moment takes no client, so a display that is named gets 1 s.
+    [[nodiscard]] bool try_init() const {
+        constexpr int kTries = 10;
+        const char* display = std::getenv("DISPLAY");
+        const bool is_named = display != nullptr && *display != '\0';
+        for (int i = 0; i < (is_named ? kTries : 1); ++i) {
+            if (i > 0) {
+                std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            }
+            if (m_glfw.init() != GLFW_FALSE) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     struct End {
         void operator()(const Glfw* glfw) const { glfw->terminate(); }
     };

@@ -79,9 +79,9 @@ std::vector<FrameView> RoundStage::list_views() const {
     std::vector<FrameView> views;
     for (const RoundFrame& frame : m_frames) {
         views.push_back(frame.view);
-        const bool converges = std::any_of(
-            m_cells.begin(), m_cells.end(),
-            [](const MethodCell& cell) { return cell.record().warm_frames > 0; });
+        const bool converges =
+            std::any_of(m_cells.begin(), m_cells.end(),
+                        [](const MethodCell& cell) { return cell.record().warm_frames > 0; });
         const bool is_single =
             m_round.segments[static_cast<std::size_t>(frame.segment)].is_single();
         if (converges && is_single) {
