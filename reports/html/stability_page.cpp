@@ -48,11 +48,21 @@ std::string make_matrix_cell(const StabilityCaseRecord& described,
                        escape_html(text.substr(0, split)), escape_html(text.substr(split + 1)));
 }
 
+/// A label that may break behind its separators, not within a word.
+std::string make_heading(const std::string& label) {
+    std::string text;
+    for (const char c : escape_html(label)) {
+        text += c;
+        text += c == '@' || c == ':' || c == '_' || c == ',' ? "<wbr>" : "";
+    }
+    return text;
+}
+
 std::string make_matrix(const StabilityRecord& record) {
     std::string text = "<div class=\"scroll wide\"><table class=\"matrix\"><thead><tr><th "
                        "class=\"name\">Case</th>";
     for (const StabilityMethodRecord& method : record.methods) {
-        text += fmt::format("<th>{}</th>", escape_html(method.label));
+        text += fmt::format("<th>{}</th>", make_heading(method.label));
     }
     text += "</tr></thead><tbody>\n";
     for (const StabilityCaseRecord& described : record.cases) {

@@ -72,10 +72,12 @@ StabilityCase make_case(PlaneFamily family) {
     made.about.score_unit = "codes";
     made.about.bound_reason =
         family.tolerance == Tolerance::at_75_degrees
-            ? "the preset's own tolerance for a plane at 75 degrees, as the contract tests hold it "
-              "(2 codes unless its paper's form needs more)"
-            : "the preset's own tolerance for planes up to 60 degrees, as the contract tests hold "
-              "it (1 code unless its paper's form needs more)";
+            ? "the preset's own tolerance for a plane at 75 degrees (2 codes unless its paper's "
+              "form needs more); the contract tests hold it in the image's centre, here every "
+              "block must keep it"
+            : "the preset's own tolerance for planes up to 60 degrees (1 code unless its paper's "
+              "form needs more); the contract tests hold it in the image's centre, here every "
+              "block must keep it";
     made.find_obstacle = [needs = family.needs_radius](const StabilitySubject& subject) {
         return find_obstacle(subject, needs);
     };

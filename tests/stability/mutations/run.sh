@@ -8,6 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 work=${1:-$(mktemp -d)}
 tree=$work/tree
+binaries=$tree/build/release
 jobs=$(nproc)
 mkdir -p "$tree"
 # What git knows and what is new, as it lies here; build trees and fetched packages stay behind.
@@ -16,10 +17,10 @@ mkdir -p "$tree"
 if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_C_COMPILER_LAUNCHER=ccache CCACHE_BASEDIR="$tree" CCACHE_NOHASHDIR=1
 fi
-build() { cmake --build "$tree/build" -j "$jobs" --target "$@" >"$work/build.log" 2>&1 || { tail -20 "$work/build.log"; exit 1; }; }
+build() { cmake --build "$binaries" -j "$jobs" --target "$@" >"$work/build.log" 2>&1 || { tail -20 "$work/build.log"; exit 1; }; }
 # Failing cells, one "case, method" a line.
 run_cases() {
-    "$tree/build/harness/app/alcove" stability --out "$work/$1" >"$work/$1.txt"
+    "$binaries/harness/app/alcove" stability --out "$work/$1" >"$work/$1.txt"
     python3 - "$work/$1/stability.json" >"$work/$1.failing" <<'PY'
 import json, sys
 record = json.load(open(sys.argv[1]))
@@ -30,7 +31,7 @@ for cell in record["cells"]:
             print(f'{cell["case"]}\t{cell["method"]}\t{severity}')
 PY
 }
-cmake -S "$tree" -B "$tree/build" -G Ninja -DCMAKE_BUILD_TYPE=Release >"$work/configure.log"
+(cd "$tree" && cmake --preset release >"$work/configure.log")
 build alcove
 run_cases sound
 unnoticed=0
@@ -51,7 +52,7 @@ PY
 )
     if [ -z "$said" ]; then
         build contract_methods_test
-        if "$tree/build/tests/contract/contract_methods_test" >"$work/$name.contract" 2>&1; then
+        if "$binaries/tests/contract/contract_methods_test" >"$work/$name.contract" 2>&1; then
             said='NOTHING'
             unnoticed=1
         else
