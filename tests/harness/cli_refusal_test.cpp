@@ -65,8 +65,8 @@ TEST_F(Refusal, ValuesOutOfRangeNameTheRange) {
 }
 
 TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
-    for (const char* verb : {"nightly", "reproduce", "stability", "recommend", "score", "scene",
-                             "plan", "tune", "view"}) {
+    for (const char* verb :
+         {"nightly", "reproduce", "recommend", "score", "scene", "plan", "tune", "view"}) {
         expect_refused({verb, "argument", "--flag"}, 2, {verb, "planned"});
     }
     expect_refused({"run", "--warm"}, 2, {"--warm", "--frames A:B"});
