@@ -141,10 +141,16 @@ std::optional<std::int64_t> RoundStage::time_gbuffer(const GBufferKey& key) {
         gl().Finish();
         return std::nullopt;
     }
+    return draw_gbuffer_timed(key);
+}
+
+std::int64_t RoundStage::draw_gbuffer_timed(const GBufferKey& key) {
+    m_context.reset_state();
+    gl().Finish();
     PassRecorder recorder(PassTiming::divided, &m_timer);
     {
         const auto pass = recorder.scope("input");
-        m_gbuffers.draw(key, view);
+        m_gbuffers.draw(key, m_views.at(key.border));
     }
     return m_timer.collect().front();
 }

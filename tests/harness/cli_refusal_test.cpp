@@ -66,7 +66,7 @@ TEST_F(Refusal, ValuesOutOfRangeNameTheRange) {
 
 TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     for (const char* verb :
-         {"nightly", "reproduce", "recommend", "score", "scene", "plan", "tune", "view"}) {
+         {"nightly", "reproduce", "recommend", "score", "scene", "tune", "view"}) {
         expect_refused({verb, "argument", "--flag"}, 2, {verb, "planned"});
     }
     expect_refused({"run", "--warm"}, 2, {"--warm", "--frames A:B"});
@@ -75,9 +75,7 @@ TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     expect_refused({"run", "experiment.toml"}, 2, {"experiment.toml"});
     expect_refused({"run", "defualt"}, 2, {"defualt", "nearest: default"});
     expect_refused({"run", "--shard", "1/2"}, 2, {"--shard", "planned"});
-    expect_refused({"run", "--effects", "auto"}, 2, {"auto", "planned"});
     EXPECT_FALSE(std::filesystem::exists(folder() / "runs")) << "left behind by what was refused";
-    expect_refused({"list", "effects"}, 2, {"effects", "planned"});
 }
 
 TEST_F(Refusal, PlannedPartsStandInTheHelp) {
