@@ -106,6 +106,10 @@ const std::map<std::string, Plant>& list_plants() {
          [](const PlantedFrame& frame, Image& visibility) {
              darken_surfaces(frame, visibility, std::isinf(frame.params.cap) ? 0.9f : 1.0f);
          }},
+        {"few_samples",
+         [](const PlantedFrame& frame, Image& visibility) {
+             darken_surfaces(frame, visibility, frame.params.samples < 4 ? 0.9f : 1.0f);
+         }},
         {"camera_return",
          [](const PlantedFrame& frame, Image& visibility) {
              darken_surfaces(frame, visibility, frame.has_moved ? 0.9f : 1.0f);

@@ -15,6 +15,12 @@ ParameterTable make_table() {
                                                .default_expression("scene_radius")
                                                .meaning("Nothing.")
                                                .source("ours"),
+                                           integer(&P::samples, "samples")
+                                               .range(1, 512)
+                                               .unit("samples")
+                                               .symbol("n")
+                                               .meaning("Nothing.")
+                                               .source("ours"),
                                            real(&P::cap, "cap")
                                                .range(1.0, 1e6)
                                                .may_be_infinite()

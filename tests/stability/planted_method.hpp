@@ -11,6 +11,7 @@ namespace alcove {
 struct PlantedParams {
     double radius = 0.5;
     double cap = 1000.0;
+    int samples = 16;
 };
 
 /// One frame as a plant sees it; the image starts as 1 everywhere.

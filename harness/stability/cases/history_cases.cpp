@@ -80,6 +80,54 @@ StabilityCase make_cap_case(const char* name, const char* title, const char* tri
     return made;
 }
 
+constexpr std::string_view kSampleSymbols[] = {"n", "k1", "k2"};
+
+StabilityScore measure_samples(const StabilitySubject& subject, ImageSize size, double samples) {
+    HistoryRig history(subject, size);
+    std::vector<ParameterOverride> forced;
+    for (const std::string_view symbol : kSampleSymbols) {
+        if (const std::optional<std::string> name = subject.find_symbol(symbol)) {
+            forced.push_back({*name, format_number(samples), Provenance::command_line});
+        }
+    }
+    const std::unique_ptr<Method> method =
+        subject.create(history.scene->get_ao_radius_m(), size, forced);
+    const Image picture = history.rig.settle(*method, 0, subject.frames()).visibility;
+    WorstScore worst;
+    worst.check(picture, history.depth);
+    worst.add(std::abs(compute_mean_codes(picture, history.limit, history.mask)), 2.0);
+    return worst.finish(picture);
+}
+
+StabilityCase make_samples_case() {
+    StabilityCase made;
+    made.about = {
+        "few_samples",
+        "Few samples",
+        "the samples of a frame fall to one",
+        "\"Know your SSAO artifacts\": N samples that are turned about the normal sweep N cones; "
+        "reported: bands with few samples (google/filament#3074)",
+        "samples a frame",
+        "samples",
+        label_severities({64.0, 32.0, 16.0, 8.0, 4.0, 1.0}, ""),
+        "fewer samples are noisier, not brighter or darker, and no weight drives the visibility "
+        "out of [0,1]",
+        "|mean difference| over surfaces from the method's own limit of many samples",
+        "codes",
+        "2 codes, as for the cap of a history: the mean over the image averages the noise out",
+    };
+    made.find_obstacle = [](const StabilitySubject& subject) -> std::string {
+        for (const std::string_view symbol : kSampleSymbols) {
+            if (subject.find_symbol(symbol)) {
+                return find_limit_obstacle(subject);
+            }
+        }
+        return "it declares no number of samples (n, k1, k2)";
+    };
+    made.measure = measure_samples;
+    return made;
+}
+
 /// A to B, B for a while, and back.
 StabilityScore measure_return(const StabilitySubject& subject, ImageSize size, double frames_away) {
     HistoryRig history(subject, size);
@@ -160,6 +208,7 @@ std::vector<StabilityCase> make_history_cases() {
     cases.push_back(make_cap_case("history_cap_high", "History without a cap",
                                   "the cap rises until the history counts without end",
                                   {1000.0, 1e4, 1e6, std::numeric_limits<double>::infinity()}, 64));
+    cases.push_back(make_samples_case());
     cases.push_back(std::move(back));
     cases.push_back(std::move(drift));
     return cases;

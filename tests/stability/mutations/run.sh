@@ -28,7 +28,7 @@ for cell in record["cells"]:
     for score, severity in zip(cell["scores"], range(len(cell["scores"]))):
         margin = score["score"] <= score["bound"] if isinstance(score["score"], (int, float)) else False
         if score["fault"] or not margin:
-            print(f'{cell["case"]}\t{cell["method"]}\t{severity}')
+            print(f'{cell["case"]}\t{cell["method"]}\t{severity}\t{bool(score["fault"])}')
 PY
 }
 (cd "$tree" && cmake --preset release >"$work/configure.log")
@@ -45,7 +45,7 @@ for patch in "$here"/*.patch; do
 import sys
 sound, broken = ({tuple(line.rstrip("\n").split("\t")) for line in open(path)} for path in sys.argv[1:])
 cases = {}
-for case, method, _ in sorted(broken - sound):
+for case, method, *_ in sorted(broken - sound):
     cases.setdefault(case, set()).add(method)
 print("; ".join(f"{case}: {len(methods)}" for case, methods in cases.items()))
 PY
