@@ -4,6 +4,7 @@
 #include "harness/stability/image_checks.hpp"
 #include "harness/stability/scene_rig.hpp"
 #include "harness/stability/stability_cases.hpp"
+#include "scenes/hard_cases/foreground.hpp"
 #include "scenes/hard_cases/yard.hpp"
 
 #include <cmath>
@@ -82,6 +83,24 @@ StabilityCase make_cap_case(const char* name, const char* title, const char* tri
 
 constexpr std::string_view kSampleSymbols[] = {"n", "k1", "k2"};
 
+/// Where nearly every sample is blocked and no history evens them out, weights show that do not sum
+/// to 1: every frame is looked at for faults.
+void check_slit(const StabilitySubject& subject, ImageSize size,
+                std::vector<ParameterOverride> forced, WorstScore& worst) {
+    if (const std::optional<std::string> name = subject.find_symbol(kCapSymbol)) {
+        forced.push_back({*name, "1", Provenance::command_line});
+    }
+    const std::unique_ptr<Scene> scene = make_slit_case();
+    SceneRig rig(subject.context(), *scene, size);
+    const std::unique_ptr<Method> method = subject.create(scene->get_ao_radius_m(), size, forced);
+    const FrameView first = rig.get_view(0, true);
+    const Image depth = rig.read_depth(first);
+    constexpr int kFrames = 16;
+    for (int frame = 0; frame < kFrames; ++frame) {
+        worst.check(rig.shoot(*method, frame == 0 ? first : hold(first)).visibility, depth);
+    }
+}
+
 StabilityScore measure_samples(const StabilitySubject& subject, ImageSize size, double samples) {
     HistoryRig history(subject, size);
     std::vector<ParameterOverride> forced;
@@ -96,6 +115,7 @@ StabilityScore measure_samples(const StabilitySubject& subject, ImageSize size, 
     WorstScore worst;
     worst.check(picture, history.depth);
     worst.add(std::abs(compute_mean_codes(picture, history.limit, history.mask)), 2.0);
+    check_slit(subject, size, std::move(forced), worst);
     return worst.finish(picture);
 }
 
@@ -104,7 +124,9 @@ StabilityCase make_samples_case() {
     made.about = {
         "few_samples",
         "Few samples",
-        "the samples of a frame fall to one",
+        "the samples of a frame fall to one, in the yard and, with a history that counts one "
+        "sample, "
+        "behind a slit where nearly all are blocked",
         "\"Know your SSAO artifacts\": N samples that are turned about the normal sweep N cones; "
         "reported: bands with few samples (google/filament#3074)",
         "samples a frame",
