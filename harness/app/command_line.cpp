@@ -131,6 +131,8 @@ int run_command_line(int argc, char** argv) {
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
+    add("stability", "the hard cases, method by case",
+        [&](CLI::App& verb) { return add_stability_verb(verb, line); });
     add("plan", "the effects a scene calls for, with evidence and saving", add_plan_verb);
     add("recommend", "the fastest cell of a run with a quality", add_recommend_verb);
     add("why", "which ingredient made a cell run or be reused", add_why_verb);
