@@ -27,11 +27,6 @@ std::string drop_versions(const std::string& renderer) {
     return renderer.substr(0, renderer.find(" ("));
 }
 
-std::string name_device(const ContextRecord& context) {
-    return fmt::format("{}: {}, {}, {} threads", context.device_class,
-                       drop_versions(context.gl_renderer), context.cpu, context.driver_threads);
-}
-
 std::string find_scene_content(const RunFolder& run, const RoundRecord& round,
                                const RoundDone& done) {
     for (const ReuseRecord& reuse : done.reuse) {
@@ -197,6 +192,11 @@ void number_repeated(std::vector<NightPoint>& points) {
 }
 
 } // namespace
+
+std::string name_device(const ContextRecord& context) {
+    return fmt::format("{}: {}, {}, {} threads", context.device_class,
+                       drop_versions(context.gl_renderer), context.cpu, context.driver_threads);
+}
 
 StoredRun describe_night(const RunFolder& run) {
     const ContextRecord& context = run.context();

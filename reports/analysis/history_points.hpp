@@ -8,6 +8,9 @@
 
 namespace alcove {
 
+/// What draws, without versions: "software: llvmpipe, <processor>, 2 threads".
+[[nodiscard]] std::string name_device(const ContextRecord& context);
+
 /// The run as the store keeps it, but for commit and folder.
 [[nodiscard]] StoredRun describe_night(const RunFolder& run);
 

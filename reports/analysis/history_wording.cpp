@@ -144,10 +144,12 @@ std::string summarize_night(const Night& night) {
     return text;
 }
 
-std::vector<std::string> describe_gate(const StoredRun& run) {
+std::string describe_device(const StoredRun& run) {
+    return fmt::format("{}, clock {}", run.device, run.timer_mode);
+}
+
+std::vector<std::string> describe_rules() {
     return {
-        fmt::format("device {}, clock {}; times are those of {} rendering", run.device,
-                    run.timer_mode, run.device_class),
         "times are gated as ratios to the anchor of the same frames; milliseconds never",
         fmt::format("baseline: median of the last {} nights since the last accepted step",
                     kBaselineNights),

@@ -36,7 +36,9 @@ struct NightLine {
 
 /// "2 slower, 1 image changed, 0 worse; 240 the same".
 [[nodiscard]] std::string summarize_night(const Night& night);
-/// What the words mean, with the device: a line each.
-[[nodiscard]] std::vector<std::string> describe_gate(const StoredRun& run);
+/// What the words mean: a line each.
+[[nodiscard]] std::vector<std::string> describe_rules();
+/// "software: llvmpipe, ..., clock timestamp_finish".
+[[nodiscard]] std::string describe_device(const StoredRun& run);
 
 } // namespace alcove

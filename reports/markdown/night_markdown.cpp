@@ -24,12 +24,13 @@ std::string make_row(const NightLine& line, const std::string& device_class) {
 } // namespace
 
 std::string make_night_markdown(const Night& night) {
-    std::string text = fmt::format(
-        "### Alcove, {}: {}\n\n{}, build {}{}, {} earlier nights of this device and suite\n\n",
-        escape_markdown(night.run.suite), summarize_night(night), escape_markdown(night.run.utc),
-        escape_markdown(night.run.build),
-        night.run.commit.empty() ? "" : ", commit " + escape_markdown(night.run.commit),
-        night.past_nights);
+    std::string text =
+        fmt::format("### Alcove, {}: {}\n\n{}, build {}{}, {} earlier nights of this device and "
+                    "suite\n\n{}\n\n",
+                    escape_markdown(night.run.suite), summarize_night(night),
+                    escape_markdown(night.run.utc), escape_markdown(night.run.build),
+                    night.run.commit.empty() ? "" : ", commit " + escape_markdown(night.run.commit),
+                    night.past_nights, escape_markdown(describe_device(night.run)));
     const std::vector<NightLine> lines = list_findings(night);
     if (lines.empty()) {
         text += "Nothing left its fence.\n";
@@ -41,7 +42,7 @@ std::string make_night_markdown(const Night& night) {
         }
     }
     text += "\n<details><summary>how this was judged</summary>\n\n";
-    for (const std::string& line : describe_gate(night.run)) {
+    for (const std::string& line : describe_rules()) {
         text += "- " + escape_markdown(line) + "\n";
     }
     return text + "\n</details>\n";
