@@ -53,10 +53,10 @@ class Entries {
             Json entry = make("iteration");
             entry["repetition_index"] = repeat;
             entry["iterations"] = series.times_ns().size();
-            finish(entry, time_ms);
             if (const auto ratio = ratios.find(repeat); ratio != ratios.end()) {
                 entry["x_anchor"] = std::exp(ratio->second);
             }
+            finish(std::move(entry), time_ms);
         }
         const std::vector<double> times = get_values(medians);
         if (times.size() < 2) {
@@ -68,7 +68,7 @@ class Entries {
             entry["aggregate_name"] = what;
             entry["aggregate_unit"] = "time";
             entry["iterations"] = times.size();
-            finish(entry, time_ms);
+            finish(std::move(entry), time_ms);
         };
         aggregate("mean", compute_mean(times));
         aggregate("median", compute_median(times));
@@ -76,13 +76,13 @@ class Entries {
     }
 
   private:
-    void finish(Json& entry, double time_ms) {
+    void finish(Json entry, double time_ms) {
         entry["threads"] = 1;
         entry["real_time"] = time_ms;
         entry["cpu_time"] = time_ms;
         entry["time_unit"] = "ms";
         entry["label"] = m_run.context().device_class;
-        m_entries.push_back(entry);
+        m_entries.push_back(std::move(entry));
     }
 
     const RunFolder& m_run;
