@@ -8,6 +8,7 @@
 #include "core/base/parameters.hpp"
 #include "core/base/registry.hpp"
 #include "core/base/target.hpp"
+#include "core/frame/effects.hpp"
 #include "core/frame/frame_view.hpp"
 #include "core/frame/gbuffer.hpp"
 #include "core/frame/passes.hpp"
@@ -62,6 +63,10 @@ class Method {
     Method(const Method&) = delete;
     Method& operator=(const Method&) = delete;
 
+    /// Which effects the frames to come call for. Called at most once, before get_requests and
+    /// resize; without a call it is all of them. A method leaves out what it can: with frames that
+    /// meet an effect's rule (kEffects) its images must stay within 1/255.
+    virtual void set_effects(EffectSet /*effects*/) {}
     [[nodiscard]] virtual MethodRequests get_requests() const { return {}; }
     /// Allocates for images of this size (without border). Called before the first frame and
     /// whenever the size changes; implies reset_history.

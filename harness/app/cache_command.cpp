@@ -20,8 +20,7 @@ struct CacheFlags {
 
 /// "8GiB", "500MiB", "0": bytes. Throws InputError.
 std::uintmax_t parse_bytes(const std::string& text) {
-    static const std::map<std::string, int> kShifts{
-        {"", 0}, {"KiB", 10}, {"MiB", 20}, {"GiB", 30}};
+    static const std::map<std::string, int> kShifts{{"", 0}, {"KiB", 10}, {"MiB", 20}, {"GiB", 30}};
     const std::size_t digits = text.find_first_not_of("0123456789");
     const std::string unit = digits == std::string::npos ? "" : text.substr(digits);
     constexpr std::int64_t kMost = std::int64_t{1} << 33; // 8 EiB in GiB
@@ -36,9 +35,8 @@ std::uintmax_t parse_bytes(const std::string& text) {
 }
 
 std::string describe_bytes(std::uintmax_t bytes) {
-    return bytes < (1u << 20)
-               ? fmt::format("{:.1f} KiB", static_cast<double>(bytes) / (1u << 10))
-               : fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1u << 20));
+    return bytes < (1u << 20) ? fmt::format("{:.1f} KiB", static_cast<double>(bytes) / (1u << 10))
+                              : fmt::format("{:.1f} MiB", static_cast<double>(bytes) / (1u << 20));
 }
 
 void print_size(const std::filesystem::path& folder) {

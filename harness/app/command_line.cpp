@@ -131,6 +131,7 @@ int run_command_line(int argc, char** argv) {
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
+    add("plan", "the effects a scene calls for, with evidence and saving", add_plan_verb);
     add("why", "which ingredient made a cell run or be reused", add_why_verb);
     add("cache", "path, size, verify, prune", add_cache_verb);
     add("doctor", "context, driver, timer validation", add_doctor_verb);

@@ -2,7 +2,6 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "harness/app/planned.hpp"
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/grid.hpp"
 
@@ -116,9 +115,6 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
     }
     if (flags.effects) {
         experiment.effects = parse_effects_choice(*flags.effects);
-    }
-    if (experiment.effects == EffectsChoice::automatic) {
-        throw_planned("--effects auto");
     }
     if (!flags.metrics.empty()) {
         for (const std::string& metric : flags.metrics) {

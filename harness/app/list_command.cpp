@@ -1,8 +1,8 @@
 #include "core/base/error.hpp"
 #include "core/base/parameters_markdown.hpp"
 #include "core/base/text.hpp"
-#include "harness/app/planned.hpp"
 #include "harness/app/verbs.hpp"
+#include "harness/run/experiment_file.hpp"
 #include "harness/run/plan.hpp"
 
 #include <cstdio>
@@ -96,6 +96,26 @@ Json list_metrics(const Units& units) {
     return list;
 }
 
+Json list_effects() {
+    Json list = Json::array();
+    for (const EffectInfo& info : kEffects) {
+        list.push_back({{"name", info.name},
+                        {"title", info.meaning},
+                        {"left_out_where", info.rule},
+                        {"reported", true}});
+    }
+    return list;
+}
+
+Json list_shipped_experiments(const Units& units) {
+    Json list = Json::array();
+    for (const std::string& name : list_experiments()) {
+        list.push_back(
+            {{"name", name}, {"title", load_experiment(name, units).title}, {"reported", true}});
+    }
+    return list;
+}
+
 Json list_parameters(const Units& units) {
     Json object = Json::object();
     for (const MethodUnit& unit : units.methods.units()) {
@@ -115,7 +135,7 @@ void print_units(const Json& list) {
         fmt::print("{:<24}{}{}\n", item.at("name").get<std::string>(),
                    item.at("title").get<std::string>(),
                    item.value("over_time", false) ? " (over time)" : "");
-        for (const char* key : {"stresses", "blind_to", "obstacle"}) {
+        for (const char* key : {"stresses", "blind_to", "obstacle", "left_out_where"}) {
             if (item.contains(key) && !item.at(key).get<std::string>().empty()) {
                 fmt::print("{:<24}{}: {}\n", "", key, item.at(key).get<std::string>());
             }
@@ -166,7 +186,8 @@ int list(const ListFlags& flags) {
         print_markdown(units);
         return 0;
     }
-    const std::vector<std::string> choices{"methods", "scenes", "metrics", "parameters", "effects"};
+    const std::vector<std::string> choices{"methods",    "scenes",  "metrics",
+                                           "parameters", "effects", "experiments"};
     Json result;
     if (flags.what == "methods") {
         result = list_methods(units);
@@ -177,7 +198,9 @@ int list(const ListFlags& flags) {
     } else if (flags.what == "parameters") {
         result = list_parameters(units);
     } else if (flags.what == "effects") {
-        throw_planned("list effects");
+        result = list_effects();
+    } else if (flags.what == "experiments") {
+        result = list_shipped_experiments(units);
     } else {
         throw InputError("list", "unknown kind", flags.what, describe_choices(flags.what, choices));
     }
@@ -195,7 +218,9 @@ int list(const ListFlags& flags) {
 
 Action add_list_verb(CLI::App& app) {
     auto flags = std::make_shared<ListFlags>();
-    app.add_option("what", flags->what, "methods, scenes, metrics or parameters")->required();
+    app.add_option("what", flags->what,
+                   "methods, scenes, metrics, parameters, effects or experiments")
+        ->required();
     app.add_flag("--json", flags->json, "as JSON");
     app.add_flag("--markdown", flags->markdown, "parameters as the tables of the units' READMEs");
     return [flags] { return list(*flags); };

@@ -13,7 +13,6 @@ std::span<const Planned> list_planned_verbs() {
         Planned{"recommend", "a method and preset for a quality or a budget"},
         Planned{"score", "new metrics over kept images"},
         Planned{"scene", "fetch and export scenes"},
-        Planned{"plan", "the effects a scene calls for"},
         Planned{"tune", "fit parameters to a target"},
         Planned{"view", "a window: fly, switch methods, record"},
     };

@@ -23,6 +23,7 @@ using Action = std::function<int()>;
 [[nodiscard]] Action add_list_verb(CLI::App& app);
 [[nodiscard]] Action add_metric_verb(CLI::App& app);
 [[nodiscard]] Action add_reference_verb(CLI::App& app);
+[[nodiscard]] Action add_plan_verb(CLI::App& app);
 [[nodiscard]] Action add_why_verb(CLI::App& app);
 [[nodiscard]] Action add_cache_verb(CLI::App& app);
 [[nodiscard]] Action add_doctor_verb(CLI::App& app);

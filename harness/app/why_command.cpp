@@ -32,8 +32,9 @@ CellPath parse_cell_path(const std::string& text) {
         tail.push_back(path.filename().string());
         path = path.parent_path();
         if (tail.size() > 2 || path.empty()) {
-            throw InputError("why", "no run", text, "RUN[/ROUND[/CELL]], for example "
-                                                    "runs/20260101T000000Z-quick/r001-bunny/c2-tssao");
+            throw InputError("why", "no run", text,
+                             "RUN[/ROUND[/CELL]], for example "
+                             "runs/20260101T000000Z-quick/r001-bunny/c2-tssao");
         }
     }
     result.run = path;

@@ -25,8 +25,7 @@ inline constexpr std::uintmax_t kCacheLimitBytes = 8ull << 30;
 
 /// kind/ab/<key><suffix> below `folder`; `key` starts with "ab".
 [[nodiscard]] std::filesystem::path make_cache_path(const std::filesystem::path& folder,
-                                                    const std::string& kind,
-                                                    const std::string& key,
+                                                    const std::string& kind, const std::string& key,
                                                     const std::string& suffix);
 
 /// Writes a file whole or not at all as far as a kill goes; without waiting for the disk, since a

@@ -168,9 +168,8 @@ std::optional<std::vector<MetricRow>> CaptureStore::restore(const std::string& k
             }
             files[name] = std::move(*text);
         }
-        std::vector<MetricRow> rows =
-            parse_metrics_csv(files.at("metrics.csv"), (entry / "metrics.csv").string(),
-                              make_neutral_round(round));
+        std::vector<MetricRow> rows = parse_metrics_csv(
+            files.at("metrics.csv"), (entry / "metrics.csv").string(), make_neutral_round(round));
         for (MetricRow& row : rows) {
             row.round = round.id;
             row.cell = cell;
@@ -209,15 +208,14 @@ void CaptureStore::store(const CaptureIngredients& ingredients, const std::vecto
     fs::create_directories(entry.parent_path(), error);
     publish_folder(temporary, entry);
     write_cache_file(make_names_path(m_folder, ingredients),
-                          make_contents_csv(ingredients.contents));
+                     make_contents_csv(ingredients.contents));
 }
 
 void CaptureStore::compare(const std::string& key, const std::vector<MetricRow>& rows,
                            const std::string& cell, const fs::path& pictures) const {
     const fs::path entry = make_cache_path(m_folder, kKind, key, "");
     const auto fail = [&](const std::string& what) {
-        throw FailureError("audit", "a cached capture is not what is captured now: " + what,
-                           cell,
+        throw FailureError("audit", "a cached capture is not what is captured now: " + what, cell,
                            "the same bytes; `alcove cache prune --limit 0` empties the cache");
     };
     const std::optional<Manifest> manifest = read_manifest(entry);

@@ -185,7 +185,8 @@ class ExperimentReader {
             m_experiment.precisions.clear();
             m_root.with_place("precisions", [&] {
                 for (const std::string& precision : *precisions) {
-                    m_experiment.precisions.push_back(parse_precision(precision));
+                    m_experiment.precisions.push_back(
+                        precision.empty() ? Precision{} : parse_precision(precision));
                 }
             });
             check_axis("precisions", m_experiment.precisions.size());

@@ -36,8 +36,7 @@ class GBufferStore {
     void write(const std::string& key, std::span<const std::byte> texels) const;
 
     /// Nanoseconds, one a repeat. Nothing if they are not there or damaged.
-    [[nodiscard]] std::optional<std::vector<std::int64_t>>
-    read_times(const std::string& key) const;
+    [[nodiscard]] std::optional<std::vector<std::int64_t>> read_times(const std::string& key) const;
     void write_times(const std::string& key, std::span<const std::int64_t> times_ns) const;
 
     /// Is the file what was written? For `cache verify`.

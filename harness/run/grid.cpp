@@ -41,7 +41,7 @@ void check_axes(const MethodGrid& grid) {
         combinations *= static_cast<double>(axis.values.size());
     }
     if (combinations > static_cast<double>(kMostCombinations)) {
-        throw InputError(grid.base.label, "too many combinations", format_number(combinations),
+        throw InputError(grid.base.label, "too many combinations", format_rounded(combinations, 12),
                          "at most " + std::to_string(kMostCombinations));
     }
 }
@@ -87,6 +87,33 @@ bool meets(const Combination& combination, const GridSkip& skip, const Parameter
                    is_same_value(table, given.first, given.second, wanted.second);
         });
     });
+}
+
+/// The specification without its own values of swept parameters, which the sweep replaces.
+MethodSpec free_swept(const MethodSpec& spec, const std::vector<ParameterAxis>& axes) {
+    MethodSpec freed = spec;
+    const auto is_swept = [&axes](const ParameterOverride& value) {
+        return std::any_of(axes.begin(), axes.end(), [&value](const ParameterAxis& axis) {
+            return axis.parameter == value.name;
+        });
+    };
+    if (std::erase_if(freed.overrides, is_swept) == 0) {
+        return freed;
+    }
+    freed.label = freed.method;
+    freed.label += freed.preset == "default" ? "" : "@" + freed.preset;
+    for (std::size_t i = 0; i < freed.overrides.size(); ++i) {
+        freed.label +=
+            (i == 0 ? ":" : ",") + freed.overrides[i].name + "=" + freed.overrides[i].value;
+    }
+    return freed;
+}
+
+/// Two specifications that differed only in what is swept are one now.
+void remove_repeated(std::vector<MethodSpec>& specs) {
+    std::set<std::string> labels;
+    std::erase_if(specs,
+                  [&labels](const MethodSpec& spec) { return !labels.insert(spec.label).second; });
 }
 
 /// The base's label with the combination's values behind it.
@@ -214,9 +241,10 @@ void apply_sweeps(const std::vector<Sweep>& sweeps, const Registry<MethodUnit>& 
         if (found == axes.end()) {
             experiment.methods.push_back(spec);
         } else {
-            expand({spec, found->second, {}, {}}, methods, experiment);
+            expand({free_swept(spec, found->second), found->second, {}, {}}, methods, experiment);
         }
     }
+    remove_repeated(experiment.methods);
 }
 
 } // namespace alcove

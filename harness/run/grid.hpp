@@ -64,7 +64,8 @@ struct Sweep {
 [[nodiscard]] Sweep parse_sweep(std::string_view text);
 
 /// Puts in place of every specification of a swept method its combinations; sweeps of one method
-/// cross. A method that is not in the experiment joins it. Throws InputError.
+/// cross, and replace a value that the specification sets itself. A method that is not in the
+/// experiment joins it. Throws InputError.
 void apply_sweeps(const std::vector<Sweep>& sweeps, const Registry<MethodUnit>& methods,
                   Experiment& experiment);
 

@@ -6,8 +6,15 @@ MethodCell::MethodCell(gl::Context& context, const MethodUnit& unit, const CellR
                        ImageSize size)
     : m_context(context), m_record(record), m_size(size),
       m_method(unit.create(context, read_parameters(unit, record))),
-      m_requests(m_method->get_requests()) {
+      m_effects(parse_effects(record.effects)) {
+    m_method->set_effects(m_effects);
+    m_requests = m_method->get_requests();
     m_method->resize(size);
+}
+
+ChannelSet MethodCell::channels() const {
+    constexpr ChannelSet kWithoutLight{Channel::eye_depth, Channel::normal};
+    return m_requests.channels | (has_light() ? kBaseChannels : kWithoutLight);
 }
 
 MethodOutput MethodCell::render(const MethodInputs& inputs, PassTiming timing,

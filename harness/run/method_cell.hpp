@@ -23,8 +23,11 @@ class MethodCell {
     [[nodiscard]] const CellRecord& record() const noexcept { return m_record; }
     [[nodiscard]] bool has_passes() const noexcept { return m_record.has_passes; }
     [[nodiscard]] Method& method() noexcept { return *m_method; }
-    /// The base and what the method declares beyond it.
-    [[nodiscard]] ChannelSet channels() const { return kBaseChannels | m_requests.channels; }
+    /// The base, without light buffers where no effect of the cell calls for them, and what the
+    /// method declares beyond it.
+    [[nodiscard]] ChannelSet channels() const;
+    /// Is there light to compose a picture of?
+    [[nodiscard]] bool has_light() const { return m_effects.contains(Effect::light_buffers); }
     /// Of its G-buffer, in pixels.
     [[nodiscard]] Border border() const { return make_border(m_size, m_requests.border); }
     [[nodiscard]] bool needs_geometry() const noexcept { return m_requests.posed_geometry; }
@@ -38,6 +41,7 @@ class MethodCell {
     const CellRecord& m_record;
     ImageSize m_size;
     std::unique_ptr<Method> m_method;
+    EffectSet m_effects;
     MethodRequests m_requests;
 };
 

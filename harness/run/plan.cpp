@@ -1,5 +1,6 @@
 #include "harness/run/plan.hpp"
 
+#include "harness/run/effects_planner.hpp"
 #include "harness/run/history_record.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
@@ -164,6 +165,10 @@ class ScenePlanner {
         round.reference = make_cell(m_units.methods.find(m_experiment.reference.method),
                                     m_experiment.reference, target);
         round.reference.id = "reference";
+        if (m_experiment.effects == EffectsChoice::automatic) {
+            // No method asks for a bounce yet: all give visibility.
+            round.effects = plan_effects(scene, round.segments, false);
+        }
         const SceneSize scene_size = count_size(scene);
         round.scene_vertices = scene_size.vertices;
         round.scene_triangles = scene_size.triangles;
@@ -189,6 +194,7 @@ class ScenePlanner {
         round.cells.push_back(make_anchor(anchor, target, CellRole::anchor_repeat));
         for (const MethodSpec& spec : specs) {
             CellRecord cell = make_cell(m_units.methods.find(spec.method), spec, target);
+            cell.effects = describe(choose_effects(round.effects));
             cell.id = "c" + std::to_string(round.cells.size() - 1) + "-" + make_id(spec.label);
             round.cells.push_back(std::move(cell));
         }

@@ -17,12 +17,11 @@ bool begins_sequence(const RoundFrame& frame) {
 
 } // namespace
 
-RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse,
-                           std::vector<MetricRow>& rows, RoundDone& done,
-                           std::filesystem::path run_folder)
+RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vector<MetricRow>& rows,
+                           RoundDone& done, std::filesystem::path run_folder)
     : m_stage(stage), m_reuse(reuse), m_rows(rows), m_done(done),
-      m_pictures(stage, done, std::move(run_folder)),
-      m_truth(make_truth_source(stage)), m_sequence(stage), m_cells(stage.cells().size()),
+      m_pictures(stage, done, std::move(run_folder)), m_truth(make_truth_source(stage)),
+      m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
     for (const MetricDescription& metric : stage.plan().metrics) {
         if (metric.kind == "history") {

@@ -102,8 +102,9 @@ void RoundGBuffers::audit(const GBufferKey& key, const FrameView& view) {
             throw FailureError("audit",
                                "a cached G-buffer is not what is drawn now: frame " +
                                    std::to_string(view.index),
-                               std::string(info.name), "the same bytes; `alcove cache prune --limit "
-                                                       "0` empties the cache");
+                               std::string(info.name),
+                               "the same bytes; `alcove cache prune --limit "
+                               "0` empties the cache");
         }
         ++m_audited;
     }

@@ -4,6 +4,8 @@
 #include "harness/run/environment.hpp"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 
 namespace alcove {
 namespace {
@@ -39,8 +41,8 @@ std::string hash_shown(const RoundStage& stage) {
 } // namespace
 
 RoundReuse::RoundReuse(RoundStage& stage, std::filesystem::path run_folder)
-    : m_stage(stage), m_run_folder(std::move(run_folder)), m_store(get_cache_folder()),
-      m_audit{stage.plan().audit_share, stage.plan().audit_seed} {
+    : m_stage(stage), m_run_folder(std::move(run_folder)),
+      m_store(get_cache_folder()), m_audit{stage.plan().audit_share, stage.plan().audit_seed} {
     const bool has_methods =
         std::any_of(stage.round().cells.begin(), stage.round().cells.end(),
                     [](const CellRecord& cell) { return cell.role == CellRole::method; });
@@ -149,10 +151,9 @@ void RoundReuse::add(const std::string& cell, CaptureIngredients ingredients) {
 }
 
 std::filesystem::path RoundReuse::get_pictures(const std::string& cell) const {
-    return m_run_folder /
-           std::filesystem::path(
-               RunFolder::make_image_path(m_stage.round().id, cell, 0, "visibility"))
-               .parent_path();
+    return m_run_folder / std::filesystem::path(
+                              RunFolder::make_image_path(m_stage.round().id, cell, 0, "visibility"))
+                              .parent_path();
 }
 
 bool RoundReuse::is_wanted(const std::string& cell) const {
@@ -184,9 +185,21 @@ void RoundReuse::finish(std::vector<MetricRow>& rows, RoundDone& done) {
             outcome = "reused";
             break;
         }
-        done.reuse.push_back({item.cell, outcome, item.reason, item.ingredients.names,
-                              item.ingredients.contents});
+        done.reuse.push_back(
+            {item.cell, outcome, item.reason, item.ingredients.names, item.ingredients.contents});
     }
+    sort_rows(rows);
+}
+
+void RoundReuse::sort_rows(std::vector<MetricRow>& rows) const {
+    std::map<std::string, std::size_t> places;
+    for (const CellRecord& cell : m_stage.round().cells) {
+        places.emplace(cell.id, places.size());
+    }
+    std::stable_sort(rows.begin(), rows.end(), [&places](const MetricRow& a, const MetricRow& b) {
+        return std::tuple(a.state, a.segment, a.frame, places.at(a.cell)) <
+               std::tuple(b.state, b.segment, b.frame, places.at(b.cell));
+    });
 }
 
 } // namespace alcove

@@ -38,6 +38,8 @@ class RoundReuse {
     [[nodiscard]] CaptureIngredients describe_round() const;
     [[nodiscard]] CaptureIngredients describe_cell(const CellRecord& cell) const;
     [[nodiscard]] std::filesystem::path get_pictures(const std::string& cell) const;
+    /// As a replay of all cells leaves them, whatever came from the cache.
+    void sort_rows(std::vector<MetricRow>& rows) const;
     [[nodiscard]] std::string explain(const CaptureIngredients& ingredients) const;
 
     RoundStage& m_stage;

@@ -1,5 +1,6 @@
 #include "harness/run/round_runner.hpp"
 
+#include "harness/run/effects_saving.hpp"
 #include "harness/run/round_capture.hpp"
 #include "harness/run/round_timing.hpp"
 #include "harness/run/wall_time.hpp"
@@ -28,6 +29,10 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
             }
             events.before_step("capture " + round.id);
             timing.store_gbuffers();
+        }
+        {
+            const WallTime saving_wall(result.done.passes_s);
+            result.done.savings = measure_savings(context, timer_mode, units, plan, round, scene);
         }
         RoundReuse reuse(stage, run_folder);
         RoundCapture capture(stage, reuse, result.metrics, result.done, run_folder);

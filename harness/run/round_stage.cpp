@@ -79,9 +79,9 @@ std::vector<FrameView> RoundStage::list_views() const {
     std::vector<FrameView> views;
     for (const RoundFrame& frame : m_frames) {
         views.push_back(frame.view);
-        const bool converges = std::any_of(
-            m_cells.begin(), m_cells.end(),
-            [](const MethodCell& cell) { return cell.record().warm_frames > 0; });
+        const bool converges =
+            std::any_of(m_cells.begin(), m_cells.end(),
+                        [](const MethodCell& cell) { return cell.record().warm_frames > 0; });
         const bool is_single =
             m_round.segments[static_cast<std::size_t>(frame.segment)].is_single();
         if (converges && is_single) {
@@ -141,10 +141,16 @@ std::optional<std::int64_t> RoundStage::time_gbuffer(const GBufferKey& key) {
         gl().Finish();
         return std::nullopt;
     }
+    return draw_gbuffer_timed(key);
+}
+
+std::int64_t RoundStage::draw_gbuffer_timed(const GBufferKey& key) {
+    m_context.reset_state();
+    gl().Finish();
     PassRecorder recorder(PassTiming::divided, &m_timer);
     {
         const auto pass = recorder.scope("input");
-        m_gbuffers.draw(key, view);
+        m_gbuffers.draw(key, m_views.at(key.border));
     }
     return m_timer.collect().front();
 }

@@ -48,6 +48,8 @@ class RoundStage {
     /// Resets GL state, waits for the device, and draws, timed; for `time_ns`, or, where every
     /// G-buffer of the round is in the cache, loads and returns nothing.
     std::optional<std::int64_t> time_gbuffer(const GBufferKey& key);
+    /// Draws whatever the cache has; nanoseconds.
+    [[nodiscard]] std::int64_t draw_gbuffer_timed(const GBufferKey& key);
     /// The same untimed: loads what the cache has, draws what it has not.
     void render_gbuffer(const GBufferKey& key);
     void render_gbuffers();

@@ -29,8 +29,15 @@ std::vector<std::size_t> shuffle_order(std::size_t count, std::uint64_t seed, in
 
 std::string name_input(const MethodCell& cell) {
     std::string name = name_extra_channels(cell.channels());
+    const auto add = [&name](const char* part) {
+        name += name.empty() ? "" : "+";
+        name += part;
+    };
     if (cell.border() != Border{}) {
-        name += name.empty() ? "border" : "+border";
+        add("border");
+    }
+    if (!cell.has_light()) {
+        add("without_light");
     }
     return "input/" + name;
 }
@@ -139,7 +146,7 @@ void RoundTiming::time_frame(const RoundFrame& frame, int repeat) {
         if (timing != PassTiming::none) {
             add_cell_samples(cell, frame, repeat, SampleState::cold, timing, times);
         }
-        if (cell.record().role == CellRole::method) {
+        if (cell.record().role == CellRole::method && cell.has_light()) {
             m_stage.compose(output, PassTiming::divided);
             add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
                        "harness/compose", m_stage.timer().collect().front());

@@ -27,7 +27,9 @@ layout(location = 2) out vec4 history_state;
 
 const float kTwoPi = 6.2831853;
 const bool kIsHemisphere = param_estimator == param_estimator_hemisphere;
-const bool kIsPacked = param_packing == param_packing_packed;
+const bool kIsPacked = IS_PACKED;
+// Where no object moves there is no channel to read; where the camera stands still as well, every pixel's history is its own.
+const bool kReadsMotion = READS_MOTION;
 // Where nothing has moved equation (8) is 0 = 0 for every sample.
 const bool kTestsNeighbourhood = param_use_history && param_invalidation != param_invalidation_none && OBJECTS_MAY_MOVE;
 const int kScale = param_resolution == param_resolution_half ? 2 : 1;
@@ -46,7 +48,7 @@ Surface fetch_surface(vec2 uv, bool with_motion) {
         vec4 packed_texel = textureLod(depth_texture, uv, 0.0);
         return Surface(packed_texel.rgb, packed_texel.a);
     }
-    vec3 motion = with_motion ? textureLod(motion_texture, uv, 0.0).rgb : vec3(0.0);
+    vec3 motion = with_motion && kReadsMotion ? textureLod(motion_texture, uv, 0.0).rgb : vec3(0.0);
     return Surface(motion, textureLod(depth_texture, uv, 0.0).r);
 }
 
@@ -71,6 +73,11 @@ bool is_same_surface(float expected_depth, float tap_depth, float plane_inverse_
         return post_projective_scale * difference < param_disocclusion_post_projective_step;
     }
     return abs(1.0 - plane_inverse_depth * tap_depth) < param_disocclusion_tolerance;
+}
+
+// Comparisons with NaN are false, so a history that holds one is dropped.
+bool is_sound(vec4 old) {
+    return old.r >= 0.0 && old.r < 1e6 && old.g > 0.0 && old.g < 1e9 && old.b >= 0.0 && old.b < float(2 * kBorderFlag);
 }
 
 // Manual bilinear fetch: each tap is tested, the weights of those that pass are renormalised. The index comes from the
@@ -103,9 +110,7 @@ Past fetch_past(vec3 old_position, vec3 old_normal) {
         vec4 old = textureLod(history_texture, (vec2(texel) + 0.5) / vec2(last + 1), 0.0);
         vec2 tap_uv = (vec2(texel * kScale) + 0.5) / image;
         float plane_inverse_depth = dot(old_normal, reconstruct_view_position(tap_uv, 1.0, previous_tangents)) * plane_scale;
-        // Comparisons with NaN are false, so a history that holds one is dropped.
-        bool is_sound = old.r >= 0.0 && old.r < 1e6 && old.g > 0.0 && old.g < 1e9 && old.b >= 0.0 && old.b < float(2 * kBorderFlag);
-        if (inside && is_sound && weight > 0.0 && is_same_surface(-old_position.z, old.a, plane_inverse_depth)) {
+        if (inside && is_sound(old) && weight > 0.0 && is_same_surface(-old_position.z, old.a, plane_inverse_depth)) {
             if (total == 0.0) {
                 int stored = int(old.b);
                 past.touches_border = stored >= kBorderFlag;
@@ -121,6 +126,21 @@ Past fetch_past(vec3 old_position, vec3 old_normal) {
     if (total > 0.0) {
         past.occlusion /= total;
         past.count /= total;
+        past.cause = HISTORY_KEPT;
+    }
+    return past;
+}
+
+// The pixel's own texel. Its depth is tested all the same: it is the surface's own unless the history is another's.
+Past fetch_past_still(float depth) {
+    Past past = Past(0.0, 0.0, 0, false, HISTORY_DISOCCLUSION);
+    vec4 old = texelFetch(history_texture, ivec2(gl_FragCoord.xy), 0);
+    if (is_sound(old) && old.a == depth) {
+        int stored = int(old.b);
+        past.touches_border = stored >= kBorderFlag;
+        past.index = past.touches_border ? stored - kBorderFlag : stored;
+        past.occlusion = old.r;
+        past.count = old.g;
         past.cause = HISTORY_KEPT;
     }
     return past;
@@ -240,7 +260,8 @@ void main() {
     vec3 normal = normalize(textureLod(normal_texture, uv, 0.0).xyz);
     Past past = Past(0.0, 0.0, 0, false, HISTORY_NO_HISTORY);
     if (param_use_history && history_valid) {
-        past = fetch_past(reproject_position(position, surface.motion), previous_from_view * normal);
+        past = REPROJECTS ? fetch_past(reproject_position(position, surface.motion), previous_from_view * normal)
+                          : fetch_past_still(surface.depth);
     }
     float convergence = compute_convergence(past.count);
     Receiver receiver = make_receiver(pixel, uv, normal, surface, convergence < param_rotation_off_conv);

@@ -19,8 +19,15 @@ constexpr GLuint kKernelBinding = 1;
 constexpr const char* kVariantConstants = "#define DEPTH_UNCONVERGED 0.25\n"
                                           "#define DEPTH_CONVERGED 0.75\n";
 
+const char* to_glsl(bool value) {
+    return value ? "true" : "false";
+}
+
+} // namespace
+
 /// Facts that host and shaders share.
-std::string make_variant(bool objects_may_move, bool writes_state) {
+gl::GeneratedFiles TssaoRenderer::make_generated_files(bool objects_may_move,
+                                                       bool writes_state) const {
     std::string text = kVariantConstants;
     text += "#define KERNEL_LENGTH " + std::to_string(kTssaoKernelLength) + "\n";
     text += "#define LARGEST_PUBLISHED_CAP " + std::to_string(kTssaoLargestPublishedCap) + "\n";
@@ -30,25 +37,21 @@ std::string make_variant(bool objects_may_move, bool writes_state) {
                        [](char c) { return static_cast<char>(std::toupper(c)); });
         text += "#define HISTORY_" + name + " " + std::to_string(i) + "\n";
     }
-    text += std::string("#define OBJECTS_MAY_MOVE ") + (objects_may_move ? "true" : "false") + "\n";
-    return text + (writes_state ? "#define WRITE_HISTORY_STATE\n" : "");
-}
-
-gl::GeneratedFiles make_generated_files(const ParameterBlock& parameters, bool objects_may_move,
-                                        bool writes_state) {
-    gl::GeneratedFiles files = parameters.generated_files();
-    files["variant.glsl"] = make_variant(objects_may_move, writes_state);
+    text += std::string("#define OBJECTS_MAY_MOVE ") + to_glsl(objects_may_move) + "\n";
+    text += std::string("#define READS_MOTION ") +
+            to_glsl(m_effects.contains(Effect::object_motion)) + "\n";
+    text += std::string("#define REPROJECTS ") + to_glsl(m_effects.contains(Effect::reprojection)) +
+            "\n";
+    text += std::string("#define IS_PACKED ") + to_glsl(is_packed()) + "\n";
+    text += writes_state ? "#define WRITE_HISTORY_STATE\n" : "";
+    gl::GeneratedFiles files = m_parameters.generated_files();
+    files["variant.glsl"] = std::move(text);
     return files;
 }
-
-} // namespace
 
 TssaoRenderer::TssaoRenderer(const gl::Functions& gl, const ResolvedParameters& resolved)
     : m_gl(gl), m_params(make_tssao_table().bind<TssaoParams>(resolved)),
       m_parameters(gl, make_tssao_table(), resolved) {
-    for (const bool objects_may_move : {false, true}) {
-        static_cast<void>(get_accumulate_program(objects_may_move, false));
-    }
     const bool is_hemisphere = m_params.estimator == TssaoEstimator::hemisphere;
     const std::vector<glm::vec4> kernel =
         is_hemisphere ? make_hemisphere_kernel(kTssaoKernelLength, m_params.directions)
@@ -57,22 +60,25 @@ TssaoRenderer::TssaoRenderer(const gl::Functions& gl, const ResolvedParameters& 
     if (m_params.filter_radius > 0) {
         m_filter = FullScreenProgram(gl, make_method_shader_library(),
                                      "methods/tssao/tssao_filter.frag.glsl",
-                                     make_generated_files(m_parameters, true, false));
+                                     make_generated_files(true, false));
         m_parameters.connect(m_filter.program());
     }
-    if (m_params.resolution == TssaoResolution::half || m_params.guard > 0.0) {
-        m_resolve = FullScreenProgram(gl, make_method_shader_library(),
-                                      "methods/tssao/tssao_resolve.frag.glsl",
-                                      m_parameters.generated_files());
-        m_parameters.connect(m_resolve.program());
-    }
+}
+
+void TssaoRenderer::set_effects(EffectSet effects) {
+    ALCOVE_ASSERT(m_accumulate.front().program().get() == 0, "before the first size");
+    m_effects = effects;
+}
+
+bool TssaoRenderer::is_packed() const {
+    return m_params.packing == TssaoPacking::packed && m_effects.contains(Effect::object_motion);
 }
 
 MethodRequests TssaoRenderer::get_requests() const {
     MethodRequests requests;
-    if (m_params.packing == TssaoPacking::packed) {
+    if (is_packed()) {
         requests.channels.add(Channel::motion_depth);
-    } else if (m_params.use_history) {
+    } else if (m_params.use_history && m_effects.contains(Effect::object_motion)) {
         requests.channels.add(Channel::motion);
     }
     requests.border = m_params.guard / 100.0;
@@ -80,6 +86,18 @@ MethodRequests TssaoRenderer::get_requests() const {
 }
 
 void TssaoRenderer::resize(ImageSize size) {
+    // Those that timed replays use; the parameters are fixed, the effects are known by now.
+    static_cast<void>(get_accumulate_program(false, false));
+    if (m_effects.contains(Effect::object_motion)) {
+        static_cast<void>(get_accumulate_program(true, false));
+    }
+    const bool resolves = m_params.resolution == TssaoResolution::half || m_params.guard > 0.0;
+    if (resolves && m_resolve.program().get() == 0) {
+        m_resolve = FullScreenProgram(m_gl, make_method_shader_library(),
+                                      "methods/tssao/tssao_resolve.frag.glsl",
+                                      make_generated_files(false, false));
+        m_parameters.connect(m_resolve.program());
+    }
     m_size = size;
     const Border border = make_border(size, get_requests().border);
     const int scale = m_params.resolution == TssaoResolution::half ? 2 : 1;
@@ -99,7 +117,7 @@ void TssaoRenderer::resize(ImageSize size) {
         m_first = gl::Texture(m_gl, GL_R32F, m_work_size);
         m_first_framebuffer = gl::create_framebuffer(m_gl, {&m_first}, &m_mask);
     }
-    if (m_resolve.program().get() != 0) {
+    if (resolves) {
         m_resolved = gl::Texture(m_gl, GL_R32F, size);
         m_resolved_framebuffer = gl::create_framebuffer(m_gl, {&m_resolved});
     }
@@ -107,8 +125,7 @@ void TssaoRenderer::resize(ImageSize size) {
 }
 
 const gl::Texture& TssaoRenderer::get_depth(const MethodInputs& inputs) const {
-    return inputs.gbuffer.texture(m_params.packing == TssaoPacking::packed ? Channel::motion_depth
-                                                                           : Channel::eye_depth);
+    return inputs.gbuffer.texture(is_packed() ? Channel::motion_depth : Channel::eye_depth);
 }
 
 const FullScreenProgram& TssaoRenderer::get_accumulate_program(bool objects_may_move,
@@ -116,9 +133,9 @@ const FullScreenProgram& TssaoRenderer::get_accumulate_program(bool objects_may_
     FullScreenProgram& program =
         m_accumulate.at((objects_may_move ? 1u : 0u) + (writes_state ? 2u : 0u));
     if (program.program().get() == 0) {
-        program = FullScreenProgram(
-            m_gl, make_method_shader_library(), "methods/tssao/tssao_accumulate.frag.glsl",
-            make_generated_files(m_parameters, objects_may_move, writes_state));
+        program = FullScreenProgram(m_gl, make_method_shader_library(),
+                                    "methods/tssao/tssao_accumulate.frag.glsl",
+                                    make_generated_files(objects_may_move, writes_state));
         m_parameters.connect(program.program());
         program.program().bind_block("KernelBlock", kKernelBinding);
     }
@@ -137,8 +154,10 @@ void TssaoRenderer::allocate_state() {
 }
 
 void TssaoRenderer::accumulate(const MethodInputs& inputs, PassRecorder& passes) {
+    const bool objects_may_move =
+        inputs.view.objects_may_move && m_effects.contains(Effect::object_motion);
     const FullScreenProgram& program =
-        get_accumulate_program(inputs.view.objects_may_move, inputs.wants_history_state);
+        get_accumulate_program(objects_may_move, inputs.wants_history_state);
     if (inputs.wants_history_state) {
         allocate_state();
     }
@@ -152,7 +171,7 @@ void TssaoRenderer::accumulate(const MethodInputs& inputs, PassRecorder& passes)
     m_gl.BindBufferBase(GL_UNIFORM_BUFFER, kKernelBinding, m_kernel.get());
     m_gl.BindTextureUnit(0, get_depth(inputs).get());
     m_gl.BindTextureUnit(1, inputs.gbuffer.texture(Channel::normal).get());
-    if (m_params.packing == TssaoPacking::separate && m_params.use_history) {
+    if (!is_packed() && m_params.use_history && m_effects.contains(Effect::object_motion)) {
         m_gl.BindTextureUnit(2, inputs.gbuffer.texture(Channel::motion).get());
     }
     m_gl.BindTextureUnit(3, old.history.get());

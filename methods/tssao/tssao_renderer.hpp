@@ -13,6 +13,7 @@ class TssaoRenderer final : public Method {
   public:
     TssaoRenderer(const gl::Functions& gl, const ResolvedParameters& resolved);
 
+    void set_effects(EffectSet effects) override;
     [[nodiscard]] MethodRequests get_requests() const override;
     void resize(ImageSize size) override;
     void reset_history() override { m_has_history = false; }
@@ -33,6 +34,10 @@ class TssaoRenderer final : public Method {
     void accumulate(const MethodInputs& inputs, PassRecorder& passes);
     void filter(const MethodInputs& inputs, PassRecorder& passes) const;
     void resolve(const MethodInputs& inputs, PassRecorder& passes) const;
+    /// Motion and eye depth come in one texel.
+    [[nodiscard]] bool is_packed() const;
+    [[nodiscard]] gl::GeneratedFiles make_generated_files(bool objects_may_move,
+                                                          bool writes_state) const;
     [[nodiscard]] const gl::Texture& get_depth(const MethodInputs& inputs) const;
     /// Those that write the history state are compiled when they are first asked for: timed
     /// replays never do.
@@ -42,6 +47,7 @@ class TssaoRenderer final : public Method {
     const gl::Functions& m_gl;
     TssaoParams m_params;
     ParameterBlock m_parameters;
+    EffectSet m_effects = EffectSet::all();
     std::array<FullScreenProgram, 4> m_accumulate; ///< [objects may move + 2 writes state]
     FullScreenProgram m_filter;
     FullScreenProgram m_resolve;

@@ -1,6 +1,7 @@
 // From the size that was worked at to the image: depth-aware upsampling of a half-size visibility, and the guard band cut
 // off.
 // This work is based on: Kopf, Cohen, Lischinski, Uyttendaele. Joint bilateral upsampling. 2007.
+#include "variant.glsl"
 #include "parameters.glsl"
 #include "core/frame/reconstruct.glsl"
 layout(binding = 0) uniform sampler2D visibility_texture;
@@ -11,7 +12,7 @@ uniform vec2 tangents;
 uniform ivec2 border;
 layout(location = 0) out float visibility;
 
-const bool kIsPacked = param_packing == param_packing_packed;
+const bool kIsPacked = IS_PACKED;
 
 float upsample(ivec2 pixel, float depth) {
     ivec2 last = textureSize(visibility_texture, 0) - 1;

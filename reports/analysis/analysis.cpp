@@ -63,8 +63,10 @@ std::optional<Estimate> estimate_repeats(const std::map<int, double>& per_repeat
 std::optional<Estimate> estimate_total(const CellSeries& cell, const Series& base,
                                        bool has_passes) {
     const auto plus = [](double a, double b) { return a + b; };
-    std::map<int, double> total = combine_repeats(base.compute_repeat_medians_ms(),
-                                                  cell.compose.compute_repeat_medians_ms(), plus);
+    std::map<int, double> total = base.compute_repeat_medians_ms();
+    if (!cell.compose.empty()) { // without light buffers there is no picture to compose
+        total = combine_repeats(total, cell.compose.compute_repeat_medians_ms(), plus);
+    }
     if (has_passes) {
         total = combine_repeats(total, cell.envelope.compute_repeat_medians_ms(), plus);
     }

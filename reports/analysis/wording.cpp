@@ -119,6 +119,29 @@ std::string describe_floor(const RoundAnalysis& round) {
     return text;
 }
 
+std::string describe_effects(const RoundAnalysis& round) {
+    if (round.round.effects.empty()) {
+        return {};
+    }
+    std::string text = "Effects:";
+    for (const EffectRecord& effect : round.round.effects) {
+        text += fmt::format("{} {} {} ({})", text.ends_with(':') ? "" : ";", effect.effect,
+                            effect.is_needed ? "kept" : "left out", effect.evidence);
+    }
+    text += ".";
+    for (const SavingRecord& saving : round.done.savings) {
+        const auto cell = std::find_if(
+            round.cells.begin(), round.cells.end(),
+            [&saving](const CellAnalysis& other) { return other.cell.id == saving.cell; });
+        text += fmt::format(" {}: {:.3f} [{:.3f}, {:.3f}] (n={}) of the time with all effects, "
+                            "images within {:.2f}/255.",
+                            cell == round.cells.end() ? saving.cell : cell->cell.label,
+                            saving.ratio, saving.lower, saving.upper, saving.n,
+                            255.0 * saving.largest_difference);
+    }
+    return text;
+}
+
 std::string describe_verdict(const RoundAnalysis& round) {
     const std::string front = list_front(round);
     if (front.empty()) {

@@ -41,6 +41,9 @@ inline constexpr std::string_view kFlickerMetric = "temporal_flicker";
 /// "reference floor 0.0040 rmse, 9 % of the smallest error".
 [[nodiscard]] std::string describe_floor(const RoundAnalysis& round);
 
+/// What the round leaves out and why, and what that saved; empty where every effect was asked for.
+[[nodiscard]] std::string describe_effects(const RoundAnalysis& round);
+
 /// What the round decides, in a sentence: the methods on the front from cheap to accurate.
 [[nodiscard]] std::string describe_verdict(const RoundAnalysis& round);
 

@@ -99,6 +99,9 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
     text += fmt::format("<p class=\"verdict\">{}</p>\n<p class=\"fitness\">{}; {}.</p>\n",
                         escape_html(describe_verdict(round)), escape_html(describe_noise(round)),
                         escape_html(describe_floor(round)));
+    if (const std::string effects = describe_effects(round); !effects.empty()) {
+        text += fmt::format("<p class=\"fitness\">{}</p>\n", escape_html(effects));
+    }
     text += make_facts(analysis, round) + make_summary_table(analysis, round) + make_charts(round);
     if (!round.round.image_frames.empty()) {
         text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",

@@ -93,13 +93,30 @@ struct CellRecord {
     std::string target;      ///< describe(Target) as asked for
     std::string target_note; ///< what the method cannot map, in words; empty if it maps all of it
     int warm_frames = 0;     ///< 0: one value stands in both the cold and the converged column
-    std::string effects = "all";
+    std::string effects = "all"; ///< or "without object_motion,..."
 };
 
 /// Something that happens in a walkthrough: "cut", "box lifts".
 struct EventRecord {
     int frame = 0;
     std::string label;
+};
+
+/// Whether a round calls for an effect, decided before it is measured.
+struct EffectRecord {
+    std::string effect;
+    bool is_needed = true;
+    std::string evidence; ///< for people
+};
+
+/// What leaving effects out has saved a cell.
+struct SavingRecord {
+    std::string cell;
+    double ratio = 1.0; ///< time of G-buffer and passes, as planned over with all effects
+    double lower = 1.0; ///< 95 % interval
+    double upper = 1.0;
+    int n = 0;                       ///< repeats
+    double largest_difference = 0.0; ///< of visibility, over all pixels and frames
 };
 
 struct RoundRecord {
@@ -116,9 +133,10 @@ struct RoundRecord {
     std::vector<int> image_frames; ///< frames whose pictures are kept
     /// Frames of one burst whose pictures are all kept, to be played as a film; empty: begin = end.
     SegmentRecord film;
-    std::vector<EventRecord> events; ///< ascending in frame
-    CellRecord reference;            ///< what errors are measured against
-    std::vector<CellRecord> cells;   ///< the anchor twice and up to 8 methods
+    std::vector<EventRecord> events;   ///< ascending in frame
+    std::vector<EffectRecord> effects; ///< empty: all effects, without a decision
+    CellRecord reference;              ///< what errors are measured against
+    std::vector<CellRecord> cells;     ///< the anchor twice and up to 8 methods
     std::size_t scene_vertices = 0;
     std::size_t scene_triangles = 0;
     double ao_radius_m = 0.0;
@@ -240,6 +258,7 @@ struct RoundDone {
     int references_reused = 0;
     int audited = 0; ///< cached images, G-buffers and captures that were made again, and agreed
     std::vector<ReuseRecord> reuse;
+    std::vector<SavingRecord> savings; ///< of cells that leave effects out
 };
 
 /// A run folder on disk.

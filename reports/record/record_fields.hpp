@@ -49,6 +49,23 @@ void visit(V& v, EventRecord& r) {
 }
 
 template <class V>
+void visit(V& v, EffectRecord& r) {
+    v("effect", r.effect);
+    v("is_needed", r.is_needed);
+    v("evidence", r.evidence);
+}
+
+template <class V>
+void visit(V& v, SavingRecord& r) {
+    v("cell", r.cell);
+    v("ratio", r.ratio);
+    v("lower", r.lower);
+    v("upper", r.upper);
+    v("n", r.n);
+    v("largest_difference", r.largest_difference);
+}
+
+template <class V>
 void visit(V& v, RoundRecord& r) {
     v("id", r.id);
     v("scene", r.scene);
@@ -62,6 +79,7 @@ void visit(V& v, RoundRecord& r) {
     v("image_frames", r.image_frames);
     v("film", r.film);
     v("events", r.events);
+    v("effects", r.effects);
     v("reference", r.reference);
     v("cells", r.cells);
     v("scene_vertices", r.scene_vertices);
@@ -186,6 +204,7 @@ void visit(V& v, DoneFile& r) {
     v("references_reused", r.done.references_reused);
     v("audited", r.done.audited);
     v("reuse", r.done.reuse);
+    v("savings", r.done.savings);
 }
 
 } // namespace alcove::record_fields

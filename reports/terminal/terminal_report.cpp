@@ -60,10 +60,13 @@ std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& rou
     for (const CellAnalysis& cell : round.cells) {
         lines.push_back(make_line(cell, metrics));
     }
-    return fmt::format("{} {}x{}, {}, errors against {}\n{}  {}\n  {}; {}\n{}\n",
+    const std::string effects = describe_effects(round);
+    return fmt::format("{} {}x{}, {}, errors against {}\n{}{}  {}\n  {}; {}\n{}\n",
                        clean_text(round.round.scene), round.round.width, round.round.height,
                        clean_text(round.round.target), clean_text(round.round.reference.label),
-                       align_columns(lines), clean_text(describe_verdict(round)),
+                       align_columns(lines),
+                       effects.empty() ? "" : "  " + clean_text(effects) + "\n",
+                       clean_text(describe_verdict(round)),
                        clean_text(describe_noise(round)), clean_text(describe_floor(round)),
                        make_time_table(round));
 }

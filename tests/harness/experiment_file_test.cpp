@@ -1,5 +1,6 @@
 #include "harness/run/experiment_file.hpp"
 
+#include "harness/run/plan.hpp"
 #include "tests/harness/expect_error.hpp"
 #include "tests/harness/temporary_folder.hpp"
 

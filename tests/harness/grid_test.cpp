@@ -139,6 +139,17 @@ TEST(Sweep, ReplacesEveryCellOfItsMethodAndCrossesWithOthers) {
                                   "hemisphere_ssao:samples=4", "hemisphere_ssao:samples=8"}));
 }
 
+TEST(Sweep, ReplacesTheValueThatASpecificationSetsItself) {
+    Experiment experiment;
+    experiment.methods = {parse_method_spec("hemisphere_ssao"),
+                          parse_method_spec("hemisphere_ssao:samples=64,blur_radius=0"),
+                          parse_method_spec("hemisphere_ssao:samples=8")};
+    apply_sweeps({parse_sweep("hemisphere_ssao.samples=4")}, get_units().methods, experiment);
+    EXPECT_EQ(list_labels(experiment),
+              (std::vector<std::string>{"hemisphere_ssao:samples=4",
+                                        "hemisphere_ssao:blur_radius=0,samples=4"}));
+}
+
 TEST(Sweep, WhatCannotBeReadIsRefused) {
     for (const char* text : {"tssao", "tssao=1", "tssao.=1", ".history_cap=1", "tssao.history_cap",
                              "tssao.history_cap=", "tssao.history_cap=1,,2", ""}) {

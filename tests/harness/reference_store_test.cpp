@@ -1,5 +1,7 @@
 #include "harness/run/reference_store.hpp"
 
+#include "core/base/image_file.hpp"
+#include "tests/harness/expect_error.hpp"
 #include "tests/harness/temporary_folder.hpp"
 #include "tests/test_scenes.hpp"
 
@@ -201,28 +203,31 @@ TEST_F(References, PruningKeepsTheLimitAndWhatWasUsedLast) {
     static_cast<void>(get(scene, make_view(scene), settings));
     ASSERT_TRUE(m_was_cached);
     const std::uintmax_t limit = fs::file_size(by_age[0]) + fs::file_size(by_age[3]);
-    const ReferenceStore store(m_folder.path(), "tracer-hash");
-    store.prune(limit);
+    prune_cache(m_folder.path(), limit);
     std::vector<fs::path> kept{by_age[0], by_age[3]};
     std::sort(kept.begin(), kept.end());
     EXPECT_EQ(list_files(m_folder.path()), kept);
-    store.prune(0);
+    prune_cache(m_folder.path(), 0);
     EXPECT_TRUE(list_files(m_folder.path()).empty());
 }
 
-TEST_F(References, PruningAnEmptyCacheIsNothing) {
-    EXPECT_NO_THROW(ReferenceStore(m_folder.path() / "missing", "x").prune(0));
-}
-
-TEST(CacheFolder, TheEnvironmentNamesIt) {
-    const ScopedVariable cache("ALCOVE_CACHE", "/somewhere/else");
-    EXPECT_EQ(get_cache_folder(), fs::path("/somewhere/else"));
-}
-
-TEST(CacheFolder, HomeHoldsItOtherwise) {
-    const ScopedVariable cache("ALCOVE_CACHE", "");
-    const ScopedVariable home("HOME", "/home/someone");
-    EXPECT_EQ(get_cache_folder(), fs::path("/home/someone/.cache/alcove"));
+TEST_F(References, AuditTracesAgainAndTellsADifferentBit) {
+    const TestScene scene = make_box_scene();
+    static_cast<void>(get(scene));
+    ReferenceStore auditing(m_folder.path(), "tracer-hash", {1.0, 7});
+    static_cast<void>(auditing.get(scene, make_view(scene), make_settings(), m_was_cached));
+    EXPECT_TRUE(m_was_cached);
+    EXPECT_EQ(auditing.audited(), 1u);
+    // A file that is whole and says something else.
+    const fs::path file = list_files(m_folder.path()).at(0);
+    EXPECT_TRUE(ReferenceStore::is_intact(file));
+    Image other(kSize, 2);
+    write_exr(file, other, Domain::visibility);
+    expect_error(
+        [&] {
+            static_cast<void>(auditing.get(scene, make_view(scene), make_settings(), m_was_cached));
+        },
+        1, {"audit", "reference"});
 }
 
 } // namespace

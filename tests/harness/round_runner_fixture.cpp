@@ -38,6 +38,10 @@ RoundRunnerTest::RoundRunnerTest()
 void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, std::uint64_t seed,
                           const RoundEvents& events) {
     m_log = std::make_shared<HistoryLog>();
+    if (!m_keeps_cache) {
+        std::filesystem::remove_all(m_folder.path() / "cache" / "captures");
+        std::filesystem::remove_all(m_folder.path() / "cache" / "gbuffers");
+    }
     const Units shipped = get_units();
     std::vector<MethodUnit> units(shipped.methods.units().begin(), shipped.methods.units().end());
     units.push_back(make_history_method_unit(m_log));
@@ -49,6 +53,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.repeats = repeats;
     experiment.shuffle_seed = seed;
     experiment.reference_rays_per_half = 16;
+    experiment.audit_share = m_audit_share;
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }

@@ -35,6 +35,11 @@ class RoundRunnerTest : public GlTest {
 
     /// Set before run(): what is measured against, instead of traced rays.
     std::string m_reference;
+    /// Set before run(): what an earlier run of the test left in the cache is there. Otherwise only
+    /// references are.
+    bool m_keeps_cache = false;
+    /// Set before run(): of what the cache gives, made again and compared.
+    double m_audit_share = 0.0;
     /// Set before run(): the burst is kept as a film.
     bool m_films_burst = false;
 

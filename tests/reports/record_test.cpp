@@ -104,7 +104,7 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         return error_of(
             [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
     };
-    for (const std::string version : {"1", "3"}) {
+    for (const std::string version : {"2", "4"}) {
         EXPECT_TRUE(contains(error("\"schema_version\": 3", "\"schema_version\": " + version),
                              "dir/plan.json: schema_version: another schema version: found `" +
                                  version + "`"));
@@ -237,10 +237,10 @@ TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_TRUE(
         contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
     EXPECT_TRUE(
-        contains(error("\n2,", "\n1,"), "samples.csv:2: column schema: another schema version"));
+        contains(error("\n3,", "\n2,"), "samples.csv:2: column schema: another schema version"));
     EXPECT_TRUE(
-        contains(error("\n2,", "\n3,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(contains(error("2,r0-balls", "2,r1-courtyard"), "a row of another round"));
+        contains(error("\n3,", "\n4,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(contains(error("3,r0-balls", "3,r1-courtyard"), "a row of another round"));
     const std::string cut = good.substr(0, good.size() - 4);
     EXPECT_TRUE(contains(error_of([&] {
                              static_cast<void>(

@@ -1,0 +1,21 @@
+#pragma once
+// Which effects a walkthrough calls for, by exact rules: what is left out cannot change an image.
+
+#include "core/contract/scene.hpp"
+#include "core/frame/effects.hpp"
+#include "reports/record/record.hpp"
+
+#include <vector>
+
+namespace alcove {
+
+/// One decision an effect, with what it was seen from. Looks at every replayed frame and the one
+/// before it, where its history is valid. `asks_for_bounce`: a method of the round gives radiance
+/// from the scene's light.
+[[nodiscard]] std::vector<EffectRecord>
+plan_effects(const Scene& scene, const std::vector<SegmentRecord>& segments, bool asks_for_bounce);
+
+/// The effects that the decisions keep.
+[[nodiscard]] EffectSet choose_effects(const std::vector<EffectRecord>& decisions);
+
+} // namespace alcove
