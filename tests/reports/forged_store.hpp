@@ -41,7 +41,7 @@ struct Scenario {
     int slower_from = -1;     ///< night from which pass 1 of method 0 takes 5 % more; -1: never
     int image_from = -1;      ///< night from which method 1 has other images
     int new_driver_from = -1; ///< night from which another driver draws
-    std::string text;         ///< appended to what people read: markup, line ends
+    std::string text = "";    ///< appended to what people read: markup, line ends
     std::uint64_t seed = 1;
 };
 

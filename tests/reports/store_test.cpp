@@ -126,7 +126,7 @@ INSERT INTO series VALUES(3, 'd', 'nightly', 's', 'w', '0:16', 't', '8x8', 'p', 
 INSERT INTO segments VALUES(1, 'd', '1', 's', '');
 INSERT INTO points VALUES(3, 7, 1, 2.5, 2.4, 2.6, 6, '');
 PRAGMA user_version = 1;
-PRAGMA application_id = 1095516246;
+PRAGMA application_id = 1095517014;
 )";
 
 TEST(Store, AFileOfVersion1IsBroughtUpToDateWithItsRows) {
