@@ -13,6 +13,7 @@ namespace {
 
 /// Steps of earlier nights that are listed.
 constexpr std::size_t kShownSteps = 50;
+constexpr std::size_t kDay = 10; ///< of "2026-03-04T05:06:07Z"
 
 struct Finding {
     const ShownSeries* shown = nullptr;
@@ -32,29 +33,29 @@ std::string describe_verdict(const StoredVerdict& verdict) {
     return verdict.is_confirmed ? text : text + ", not repeated";
 }
 
-/// A link only where the folder lies below the store's.
-std::string make_run_link(const StoredRun& run) {
+/// `text`, a link only where the folder lies below the store's.
+std::string make_run_link(const StoredRun& run, const std::string& text) {
     const std::filesystem::path folder(run.folder);
     const bool is_below = !run.folder.empty() && folder.is_relative() &&
                           std::find(folder.begin(), folder.end(), "..") == folder.end();
-    const std::string date = escape_html(run.utc);
     if (!is_below) {
-        return date;
+        return escape_html(text);
     }
     return fmt::format("<a href=\"../{}/report/index.html\">{}</a>", escape_url_path(run.folder),
-                       date);
+                       escape_html(text));
 }
 
 std::string make_row(const Finding& finding, const RunsById& runs) {
     const StoredSeries& series = *finding.shown->series;
     const StoredVerdict& verdict = *finding.verdict;
+    const StoredRun& run = *runs.at(verdict.run);
     const bool is_image = verdict.kind == StepKind::image_changed;
     const auto describe = [&](double change) { return describe_change(series.kind, change); };
     const bool is_time = has_logarithm(series.kind);
     return fmt::format(
         "<tr><td class=\"text\"><span class=\"{}\">{}</span></td><th scope=\"row\" "
-        "class=\"name\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
+        "class=\"name\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}{}</td><td><b>{}</b>"
+        "</td><td><b>{}</b></td><td><b>{}</b></td><td class=\"text\"><b>{}</b></td></tr>\n",
         is_bad(verdict)        ? "mark"
         : verdict.is_confirmed ? "state"
                                : "",
@@ -63,7 +64,8 @@ std::string make_row(const Finding& finding, const RunsById& runs) {
         escape_html(describe_series(series.kind, series.name)),
         is_time ? fmt::format("<small>{}</small>", escape_html(finding.shown->device_class)) : "",
         is_image ? "" : describe(verdict.change), is_image ? "" : describe(verdict.fence).substr(1),
-        verdict.second ? describe(*verdict.second) : "", make_run_link(*runs.at(verdict.run)));
+        verdict.second ? describe(*verdict.second) : "",
+        make_run_link(run, run.utc.substr(0, kDay)));
 }
 
 std::string make_table(const std::vector<Finding>& findings, const RunsById& runs) {
@@ -86,7 +88,7 @@ std::string make_last_night(const StoredRun& run, std::vector<Finding> findings,
     std::string text =
         fmt::format("<section><h2>Last night of {}<small>{}, build {} {}</small></h2>\n"
                     "<p class=\"note\">{}</p>\n",
-                    escape_html(run.suite), make_run_link(run), escape_html(run.build),
+                    escape_html(run.suite), make_run_link(run, run.utc), escape_html(run.build),
                     escape_html(run.commit), escape_html(run.device));
     if (findings.empty()) {
         return text + "<p class=\"verdict\">Nothing left its fence.</p></section>\n";

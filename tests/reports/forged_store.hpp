@@ -4,6 +4,7 @@
 #include "reports/record/store.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -46,6 +47,12 @@ struct Scenario {
 };
 
 inline constexpr int kSeriesOfMethod = 8;
+
+/// Runs SQL on a store's file behind the store's back. Throws std::runtime_error.
+void execute_sql(const std::filesystem::path& path, const std::string& sql);
+
+/// One measurement of night `index`.
+[[nodiscard]] std::vector<NightPoint> make_night(const Scenario& scenario, int index, Noise& noise);
 
 /// Appends the nights as `alcove nightly` would: judged, suspects measured again, stored.
 void append_nights(Store& store, const Scenario& scenario);

@@ -10,23 +10,13 @@
 #include <limits>
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 namespace alcove {
 namespace {
 
 using synthetic::TemporaryFolder;
 
-/// Runs SQL on a file behind the store's back.
-void execute(const std::filesystem::path& path, const std::string& sql) {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-    char* error = nullptr;
-    EXPECT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, &error), SQLITE_OK)
-        << (error == nullptr ? "" : error);
-    sqlite3_free(error);
-    sqlite3_close(database);
-}
+using forged::execute_sql;
 
 std::vector<NightRow> make_rows_of_one(double value) {
     NightPoint point = forged::make_point(
@@ -132,7 +122,7 @@ PRAGMA application_id = 1095517014;
 TEST(Store, AFileOfVersion1IsBroughtUpToDateWithItsRows) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "store.sqlite";
-    execute(path, kVersion1);
+    execute_sql(path, kVersion1);
     Store store(path);
     StoredHistory history = store.read();
     ASSERT_EQ(history.runs.size(), 1u);
@@ -153,7 +143,7 @@ TEST(Store, ANewerFileIsRefusedByNameAndLeftAlone) {
     const TemporaryFolder folder;
     const auto path = folder.path() / "store.sqlite";
     { Store store(path); }
-    execute(path, "PRAGMA user_version = 99");
+    execute_sql(path, "PRAGMA user_version = 99");
     const std::string before = read_file(path);
     expect_error([&] { Store store(path); }, 2, {"store.sqlite", "newer", "99", "2"});
     EXPECT_EQ(read_file(path), before);
@@ -162,7 +152,7 @@ TEST(Store, ANewerFileIsRefusedByNameAndLeftAlone) {
 TEST(Store, WhatIsNoStoreIsRefusedAndLeftAlone) {
     const TemporaryFolder folder;
     const auto foreign = folder.path() / "foreign.sqlite";
-    execute(foreign, "CREATE TABLE diary(text)");
+    execute_sql(foreign, "CREATE TABLE diary(text)");
     expect_error([&] { Store store(foreign); }, 2, {"foreign.sqlite", "no store"});
     const auto text = folder.path() / "notes.txt";
     write_file_atomically(text, std::string(4096, 'x'));
@@ -180,7 +170,7 @@ TEST(Store, DamagedRowsAreNamed) {
             Store store(path);
             store.append(forged::make_run(0), make_rows_of_one(2.5));
         }
-        execute(path, sql);
+        execute_sql(path, sql);
         expect_error([&] { static_cast<void>(Store(path).read()); }, 2, parts);
     };
     refuse("UPDATE points SET value = 9e999", {"store.sqlite", "no finite number"});
