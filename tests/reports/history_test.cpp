@@ -113,7 +113,7 @@ TEST(History, ASecondMeasurementMustLieBeyondTheFenceOnTheSameSide) {
     points.push_back({20.0, 1, false});
     const HistoryNight night = replay_history(points, kLinear).back();
     EXPECT_TRUE(is_repeated(night, 19.0, kLinear));
-    EXPECT_FALSE(is_repeated(night, 11.0, kLinear));
+    EXPECT_FALSE(is_repeated(night, 11.5, kLinear));
     EXPECT_FALSE(is_repeated(night, 1.0, kLinear));
     EXPECT_FALSE(is_repeated(replay_history(make_restless(), kLinear).back(), 99.0, kLinear));
 }
