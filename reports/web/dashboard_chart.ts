@@ -7,6 +7,8 @@ import { followWidth, makeAxis } from "./plot";
 import { chartFont, readTheme, type Theme } from "./theme";
 
 const height = 210;
+/** More nights than these are a line without dots. */
+const mostDots = 120;
 type Values = (number | null)[];
 
 /** Columns of a chart: a gap stands between segments. */
@@ -28,6 +30,13 @@ export function layOutNights(series: HistorySeries): Columns {
     columns.points.push(point);
   });
   return columns;
+}
+
+/** A metric that never moves has a fence of a millionth: no axis is finer than half a percent. */
+function padRange(low: number, high: number): [number, number] {
+  const most = Math.max(Math.abs(low), Math.abs(high));
+  const pad = Math.max(0.06 * (high - low), 0.0025 * most, Number.MIN_VALUE);
+  return [low - pad, high + pad];
 }
 
 function pick(columns: Columns, values: Values): Values {
@@ -95,7 +104,7 @@ export function drawHistory(
     drawn.push({ scale: "ms", stroke: `${theme.soft}90`, width: 1, points: { show: false } });
     data.push(pick(columns, series.milliseconds));
   }
-  drawn.push({ stroke: theme.accent, width: 1.75, points: { show: true, size: 4, fill: theme.accent } });
+  drawn.push({ stroke: theme.accent, width: 1.75, points: { show: series.values.length <= mostDots, size: 4, fill: theme.accent } });
   data.push(pick(columns, series.values));
 
   const dateAt = new Map(series.positions.map((position, point) => [position, nights[series.nights[point] ?? -1]?.date ?? ""]));
@@ -139,7 +148,10 @@ export function drawHistory(
     {
       width,
       height,
-      scales: { x: { time: false, range: (_, low, high) => [low - 0.6, high + 0.6] } },
+      scales: {
+        x: { time: false, range: (_, low, high) => [low - 0.6, high + 0.6] },
+        y: { range: (_, low, high) => padRange(low ?? 0, high ?? 1) },
+      },
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, y: false, points: { size: 6 } },
       axes,
