@@ -128,10 +128,15 @@ int run_command_line(int argc, char** argv) {
     verbs.back().passes_rest_on = true;
     add("nightly", "run, append to the store, gate against history, redraw the dashboard",
         [&](CLI::App& verb) { return add_nightly_verb(verb, line); });
+    add("reproduce", "a paper's tables and figures, with a verdict a claim",
+        [&](CLI::App& verb) { return add_reproduce_verb(verb, line); });
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
+    add("stability", "the hard cases, method by case",
+        [&](CLI::App& verb) { return add_stability_verb(verb, line); });
     add("plan", "the effects a scene calls for, with evidence and saving", add_plan_verb);
+    add("recommend", "the fastest cell of a run with a quality", add_recommend_verb);
     add("why", "which ingredient made a cell run or be reused", add_why_verb);
     add("cache", "path, size, verify, prune", add_cache_verb);
     add("doctor", "context, driver, timer validation", add_doctor_verb);

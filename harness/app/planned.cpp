@@ -8,9 +8,6 @@ namespace alcove {
 
 std::span<const Planned> list_planned_verbs() {
     static constexpr std::array kVerbs{
-        Planned{"reproduce", "published figures beside measured ones"},
-        Planned{"stability", "the hard cases, method by case"},
-        Planned{"recommend", "a method and preset for a quality or a budget"},
         Planned{"score", "new metrics over kept images"},
         Planned{"scene", "fetch and export scenes"},
         Planned{"tune", "fit parameters to a target"},

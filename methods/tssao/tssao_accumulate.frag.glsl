@@ -188,6 +188,12 @@ Taken take_samples(Receiver receiver, int start, int wanted, float tolerance) {
         if (is_clamped) {
             uv = clamp(uv, half_pixel, 1.0 - half_pixel);
         }
+        if (!kIsHemisphere) {
+            // The surface point that the depth was written for: elsewhere in the texel a tilted plane would lie off
+            // itself. In the receiver's own texel this is the receiver to the last bit, at no distance and no elevation.
+            vec2 size = vec2(textureSize(depth_texture, 0));
+            uv = (floor(uv * size) + 0.5) / size;
+        }
         Surface surface = fetch_surface(uv, kTestsNeighbourhood);
         vec3 to_hit = reconstruct_view_position(uv, surface.depth, tangents) - receiver.position;
         bool is_within = comparable && dot(to_hit, to_hit) <= cut_distance * cut_distance;

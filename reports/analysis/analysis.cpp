@@ -200,7 +200,8 @@ RunAnalysis analyze_run(const RunFolder& run, std::vector<ProvisionalRow> provis
                         return trial.accepted && trial.mode == run.context().timer_mode;
                     });
     std::map<std::string, std::vector<SampleRow>> samples = group_by_round(run.read_samples());
-    std::map<std::string, std::vector<MetricRow>> metrics = group_by_round(run.read_metrics());
+    analysis.metric_rows = run.read_metrics();
+    std::map<std::string, std::vector<MetricRow>> metrics = group_by_round(analysis.metric_rows);
     for (const RoundRecord& round : run.plan().rounds) {
         if (run.is_finished(round.id)) {
             analysis.rounds.push_back(

@@ -127,6 +127,7 @@ struct RunAnalysis {
     bool is_complete = false;
     bool is_timer_validated = false;   ///< the mode in use was accepted by a trial
     std::vector<RoundAnalysis> rounds; ///< finished ones
+    std::vector<MetricRow> metric_rows; ///< of finished rounds
     std::vector<ProvisionalRow> provisional;
 
     /// Nothing if the plan does not describe it.

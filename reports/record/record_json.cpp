@@ -2,9 +2,10 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
-#include "reports/record/record_fields.hpp"
+#include "reports/record/stability_fields.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -19,7 +20,22 @@ using Json = nlohmann::ordered_json;
 
 using record_fields::DoneFile;
 
-constexpr const char* kRoleNames[] = {"method", "anchor", "anchor_repeat"};
+constexpr std::array<std::string_view, 3> kRoleNames{"method", "anchor", "anchor_repeat"};
+constexpr std::array kOutcomes{StabilityOutcome::holds, StabilityOutcome::holds_up_to,
+                               StabilityOutcome::fails, StabilityOutcome::not_applicable};
+
+/// Names of an enumeration's values, in their order.
+std::vector<std::string_view> list_names(CellRole) {
+    return {kRoleNames.begin(), kRoleNames.end()};
+}
+std::vector<std::string_view> list_names(StabilityOutcome) {
+    std::vector<std::string_view> names;
+    for (const StabilityOutcome outcome : kOutcomes) {
+        names.push_back(to_text(outcome));
+    }
+    return names;
+}
+
 // Far above what a run can do; what a file from outside claims must not decide how much memory a
 // report takes.
 constexpr std::size_t kMaximumJsonBytes = 1u << 26;
@@ -30,6 +46,15 @@ constexpr int kMaximumFilmFrames = 1000;
 constexpr std::size_t kMaximumEvents = 10000;
 constexpr std::size_t kMaximumLabelBytes = 200;
 constexpr std::string_view kReferenceCell = "reference";
+
+std::string join(const std::vector<std::string_view>& names) {
+    std::string text;
+    for (const std::string_view name : names) {
+        text += text.empty() ? "" : ", ";
+        text += name;
+    }
+    return text;
+}
 
 class Writer {
   public:
@@ -42,8 +67,8 @@ class Writer {
   private:
     template <class T>
     static Json make(T& value) {
-        if constexpr (std::is_same_v<T, CellRole>) {
-            return kRoleNames[static_cast<std::size_t>(value)];
+        if constexpr (std::is_enum_v<T>) {
+            return list_names(value).at(static_cast<std::size_t>(value));
         } else if constexpr (std::is_same_v<T, double>) {
             return std::isfinite(value) ? Json(value) : Json(format_number(value));
         } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
@@ -68,9 +93,11 @@ class Writer {
 
 class Reader {
   public:
-    /// `prefix` is the path of `object` with its closing dot.
-    Reader(const Json& object, std::string_view file, std::string prefix)
-        : m_object(object), m_file(file), m_prefix(std::move(prefix)) {
+    /// `prefix` is the path of `object` with its closing dot; `version` what its key schema_version
+    /// must hold, if it has one.
+    Reader(const Json& object, std::string_view file, std::string prefix,
+           int version = kRunSchemaVersion)
+        : m_object(object), m_file(file), m_prefix(std::move(prefix)), m_version(version) {
         if (!object.is_object()) {
             fail(m_prefix, "wrong type", object.type_name(), "an object");
         }
@@ -85,9 +112,9 @@ class Reader {
         m_known.insert(key);
         take(*found, value, m_prefix + key);
         if constexpr (std::is_same_v<T, int>) {
-            if (std::string_view(key) == "schema_version" && value != kRunSchemaVersion) {
+            if (std::string_view(key) == "schema_version" && value != m_version) {
                 fail(m_prefix + key, "another schema version", std::to_string(value),
-                     std::to_string(kRunSchemaVersion) + ", which is what this build reads");
+                     std::to_string(m_version) + ", which is what this build reads");
             }
         }
     }
@@ -108,13 +135,14 @@ class Reader {
 
     template <class T>
     void take(const Json& json, T& value, const std::string& path) {
-        if constexpr (std::is_same_v<T, CellRole>) {
-            const auto* name = std::find(std::begin(kRoleNames), std::end(kRoleNames),
-                                         json.is_string() ? json.get<std::string>() : "");
-            if (name == std::end(kRoleNames)) {
-                fail(path, "unknown role", json.dump(), "method, anchor or anchor_repeat");
+        if constexpr (std::is_enum_v<T>) {
+            const std::vector<std::string_view> names = list_names(value);
+            const auto name = std::find(names.begin(), names.end(),
+                                        json.is_string() ? json.get<std::string>() : "");
+            if (name == names.end()) {
+                fail(path, "unknown " + path.substr(path.rfind('.') + 1), json.dump().substr(0, 80), join(names));
             }
-            value = static_cast<CellRole>(name - std::begin(kRoleNames));
+            value = static_cast<T>(name - names.begin());
         } else if constexpr (std::is_same_v<T, bool>) {
             expect(json.is_boolean(), json, path, "true or false");
             value = json.get<bool>();
@@ -165,6 +193,7 @@ class Reader {
     const Json& m_object;
     std::string_view m_file;
     std::string m_prefix;
+    int m_version;
     std::set<std::string> m_known;
 };
 
@@ -177,7 +206,7 @@ std::string write_record(Record& record) {
 }
 
 template <class Record>
-Record read_record(std::string_view text, std::string_view file) {
+Record read_record(std::string_view text, std::string_view file, int version = kRunSchemaVersion) {
     if (text.size() > kMaximumJsonBytes) {
         throw InputError(file, "too large", std::to_string(text.size()) + " bytes",
                          "at most " + std::to_string(kMaximumJsonBytes));
@@ -189,7 +218,7 @@ Record read_record(std::string_view text, std::string_view file) {
         throw InputError(std::string(file) + ": byte " + std::to_string(error.byte),
                          "not JSON or cut off", "", "a whole JSON file");
     }
-    Reader reader(json, file, "");
+    Reader reader(json, file, "", version);
     Record record;
     record_fields::visit(reader, record);
     reader.finish();
@@ -328,6 +357,15 @@ PlanRecord parse_plan_json(std::string_view text, std::string_view file) {
                           std::string(file) + ": metrics[" + std::to_string(i) + "].kind");
     }
     return plan;
+}
+
+std::string make_json(const StabilityRecord& record) {
+    StabilityRecord copy = record;
+    return write_record(copy);
+}
+
+StabilityRecord parse_stability_json(std::string_view text, std::string_view file) {
+    return read_record<StabilityRecord>(text, file, kStabilitySchemaVersion);
 }
 
 RoundDone parse_done_json(std::string_view text, std::string_view file) {

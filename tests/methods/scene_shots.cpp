@@ -31,7 +31,7 @@ std::unique_ptr<Scene> open(const std::string& name, const std::string& settings
 SceneShots::SceneShots(gl::Context& context, const std::string& scene, const std::string& settings,
                        ImageSize size)
     : m_context(context), m_size(size), m_scene(open(scene, settings)),
-      m_renderer(context.functions(), *m_scene) {}
+      m_rig(context, *m_scene, size) {}
 
 std::unique_ptr<Method> SceneShots::make_method(const std::string& specification) const {
     const std::size_t colon = specification.find(':');
@@ -52,54 +52,12 @@ std::unique_ptr<Method> SceneShots::make_method(const std::string& specification
     return method;
 }
 
-FrameView SceneShots::get_view(int frame, bool starts_segment) const {
-    FrameView view = make_frame_view(m_scene->get_walkthrough(), frame, m_size, starts_segment);
-    detect_motion(*m_scene, view);
-    return view;
+RigShot SceneShots::shoot(Method& method, const FrameView& view, std::uint32_t seed) {
+    return m_rig.shoot(method, view, {seed, true, {}});
 }
 
-const GBuffer& SceneShots::draw(const MethodRequests& requests, const FrameView& view) {
-    const Border border = make_border(m_size, requests.border);
-    const ChannelSet channels = kBaseChannels | requests.channels;
-    const FrameView extended = extend(view, border);
-    const auto [found, _] = m_gbuffers.try_emplace({channels, border}, m_context.functions(),
-                                                   extended.size, channels, Precision{});
-    m_context.reset_state();
-    m_renderer.render(found->second, extended);
-    return found->second;
-}
-
-SceneShots::Shot SceneShots::shoot(Method& method, const FrameView& view, std::uint32_t seed) {
-    const MethodRequests requests = method.get_requests();
-    const GBuffer& gbuffer = draw(requests, view);
-    const FrameView extended = extend(view, make_border(m_size, requests.border));
-    MethodInputs inputs{extended, gbuffer};
-    inputs.noise_seed = seed;
-    inputs.wants_history_state = true;
-    PassRecorder passes(PassTiming::none);
-    m_context.reset_state();
-    const MethodOutput output = method.render(inputs, passes);
-    Shot shot;
-    shot.visibility = gl::read_texture(m_context.functions(), *output.visibility, 1);
-    if (output.history_state != nullptr) {
-        shot.history_state = gl::read_texture(m_context.functions(), *output.history_state, 4);
-    }
-    m_context.check_errors();
-    return shot;
-}
-
-SceneShots::Shot SceneShots::converge(Method& method, int frame, int frames) {
-    method.reset_history();
-    const FrameView first = get_view(frame, true);
-    Shot shot;
-    for (int i = 0; i < frames; ++i) {
-        shot = shoot(method, i == 0 ? first : hold(first));
-    }
-    return shot;
-}
-
-Image SceneShots::read_depth(const FrameView& view) {
-    return gl::read_texture(m_context.functions(), draw({}, view).texture(Channel::eye_depth), 1);
+RigShot SceneShots::converge(Method& method, int frame, int frames) {
+    return m_rig.settle(method, frame, frames, {1, true, {}});
 }
 
 double compute_rms(const Image& a, const Image& b, const Image* mask) {

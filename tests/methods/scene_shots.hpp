@@ -1,11 +1,9 @@
 #pragma once
 // Frames of a registered scene through any method, one after the other, as the runner shows them.
 
-#include "core/contract/method.hpp"
-#include "core/frame/scene_renderer.hpp"
+#include "harness/stability/scene_rig.hpp"
 #include "tests/core/gl/test_context.hpp"
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,24 +21,20 @@ class SceneShots {
     /// "METHOD[@PRESET][:key=value,...]" with the scene's radius.
     [[nodiscard]] std::unique_ptr<Method> make_method(const std::string& specification) const;
 
-    [[nodiscard]] FrameView get_view(int frame, bool starts_segment = false) const;
-    struct Shot {
-        Image visibility;
-        std::optional<Image> history_state;
-    };
+    [[nodiscard]] FrameView get_view(int frame, bool starts_segment = false) const {
+        return m_rig.get_view(frame, starts_segment);
+    }
+    using Shot = RigShot; ///< with the history state
     [[nodiscard]] Shot shoot(Method& method, const FrameView& view, std::uint32_t seed = 1);
     /// `frames` frames of the held pose behind a fresh start; the last one is kept.
     [[nodiscard]] Shot converge(Method& method, int frame, int frames);
-    [[nodiscard]] Image read_depth(const FrameView& view);
+    [[nodiscard]] Image read_depth(const FrameView& view) { return m_rig.read_depth(view); }
 
   private:
-    const GBuffer& draw(const MethodRequests& requests, const FrameView& view);
-
     gl::Context& m_context;
     ImageSize m_size;
     std::unique_ptr<Scene> m_scene;
-    SceneRenderer m_renderer;
-    std::map<std::pair<ChannelSet, Border>, GBuffer> m_gbuffers;
+    SceneRig m_rig;
 };
 
 /// Root mean square of a - b over the pixels where `mask` is not 0; over all without a mask.
