@@ -86,7 +86,7 @@ std::string describe_value(SeriesKind kind, double value) {
     case SeriesKind::quality:
         return format_rounded(value, 4);
     case SeriesKind::images:
-        return format_rounded(value, 6) + " images";
+        return fmt::format("{:.0f} images", value);
     default:
         return format_rounded(value, 4) + " x anchor";
     }
