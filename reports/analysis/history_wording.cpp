@@ -15,32 +15,36 @@ std::string sign(double value) {
     return value < 0.0 ? "-" : "+";
 }
 
-/// Metrics and times of the cell that moved with its images.
-std::string describe_moved(const Night& night, const JudgedPoint& images) {
-    std::string metrics;
-    std::string times;
+/// "rmse cold worse", or why there is nothing to name.
+std::string describe_moved(const Night& night, const SeriesName& cell, const char* what,
+                           bool are_times) {
+    std::string text;
+    bool is_judged = false;
     for (const JudgedPoint& other : night.points) {
-        if (!is_same_cell(other.point.name, images.point.name)) {
+        const SeriesKind kind = other.point.kind;
+        const bool is_metric = kind == SeriesKind::quality;
+        const bool is_one = are_times ? !is_metric && kind != SeriesKind::images : is_metric;
+        if (!is_one || !is_same_cell(other.point.name, cell)) {
             continue;
         }
-        const NightVerdict verdict = other.verdict;
-        const bool is_metric = verdict == NightVerdict::worse || verdict == NightVerdict::better;
-        const bool is_time = verdict == NightVerdict::slower || verdict == NightVerdict::faster;
-        if (is_metric || is_time) {
-            std::string& text = is_metric ? metrics : times;
-            text +=
-                fmt::format("{}{} {}", text.empty() ? "" : ", ",
-                            describe_series(other.point.kind, other.point.name), to_text(verdict));
+        is_judged = is_judged || other.judged.fence.has_value();
+        if (other.verdict < NightVerdict::unconfirmed) {
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ",
+                                describe_series(kind, other.point.name), to_text(other.verdict));
         }
     }
-    return fmt::format("was {}; {}; {}", images.last_hash,
-                       metrics.empty() ? "no metric left its fence" : metrics,
-                       times.empty() ? "no time moved" : times);
+    if (!text.empty()) {
+        return text;
+    }
+    return is_judged ? fmt::format("no {} moved", what)
+                     : fmt::format("too little history to tell whether a {} moved", what);
 }
 
 std::string describe_note(const Night& night, const JudgedPoint& judged) {
     if (judged.verdict == NightVerdict::image_changed) {
-        return describe_moved(night, judged);
+        return fmt::format("was {}; {}; {}", judged.last_hash,
+                           describe_moved(night, judged.point.name, "metric", false),
+                           describe_moved(night, judged.point.name, "time", true));
     }
     if (judged.verdict == NightVerdict::too_little_history) {
         return judged.point.kind == SeriesKind::images
