@@ -29,19 +29,6 @@ std::vector<PassAnalysis> analyze_passes(const CellSeries& series, double tick_n
     return passes;
 }
 
-/// Combines two series repeat by repeat, where both have the repeat.
-template <class Combine>
-std::map<int, double> combine_repeats(const std::map<int, double>& a,
-                                      const std::map<int, double>& b, const Combine& combine) {
-    std::map<int, double> result;
-    for (const auto& [repeat, value] : a) {
-        if (const auto found = b.find(repeat); found != b.end()) {
-            result[repeat] = combine(value, found->second);
-        }
-    }
-    return result;
-}
-
 /// a / b of the repeats' medians, where that is finite.
 std::map<int, double> divide_repeats(const Series& a, const Series& b) {
     std::map<int, double> result =

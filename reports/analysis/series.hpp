@@ -31,6 +31,19 @@ class Series {
     std::map<FrameKey, std::map<int, double>> m_times_ns;
 };
 
+/// Combines two series repeat by repeat, where both have the repeat.
+template <class Combine>
+std::map<int, double> combine_repeats(const std::map<int, double>& a,
+                                      const std::map<int, double>& b, const Combine& combine) {
+    std::map<int, double> result;
+    for (const auto& [repeat, value] : a) {
+        if (const auto found = b.find(repeat); found != b.end()) {
+            result[repeat] = combine(value, found->second);
+        }
+    }
+    return result;
+}
+
 /// Mean across repeats of the median over frames, in milliseconds; nothing for an empty series.
 [[nodiscard]] std::optional<Estimate> estimate_time_ms(const Series& series);
 

@@ -3,8 +3,8 @@
 #include "core/base/text.hpp"
 #include "reports/analysis/comparison_wording.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/page_head.hpp"
 #include "reports/html/pictures.hpp"
-#include "reports/html/web_files.hpp"
 
 #include <algorithm>
 
@@ -15,17 +15,6 @@ namespace {
 
 /// Pairs that are shown of a cell, those that differ most, so that a film does not drown the page.
 constexpr std::size_t kShownPairs = 4;
-
-std::string make_head() {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
-        "file:; style-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>Alcove: comparison</title>\n<style>{}</style></head><body>\n",
-        find_web_file("page.css"));
-}
 
 std::string make_row(const ComparisonRow& row) {
     const std::string verdict = row.verdict ? std::string(to_text(*row.verdict)) : "";
@@ -126,9 +115,10 @@ std::string make_comparison_page(const Comparison& comparison,
     std::vector<std::string> how = comparison.notes;
     const std::vector<std::string> method = describe_method(comparison);
     how.insert(how.end(), method.begin(), method.end());
-    return make_head() + make_header(comparison) + "<main>\n<section><h2>Verdicts</h2>\n" +
-           make_table(list_verdicts(comparison)) + "</section>\n" +
-           make_list("Images", describe_images(comparison)) + make_pictures(comparison, folder) +
+    return make_page_head("comparison", {.shows_pictures = true}) + make_header(comparison) +
+           "<main>\n<section><h2>Verdicts</h2>\n" + make_table(list_verdicts(comparison)) +
+           "</section>\n" + make_list("Images", describe_images(comparison)) +
+           make_pictures(comparison, folder) +
            make_list("Settings", describe_settings(comparison)) +
            make_list("Not compared", describe_unpaired(comparison)) +
            "<section><h2>Where the time went, and histories</h2>\n" +

@@ -3,6 +3,7 @@
 #include "reports/analysis/history_wording.hpp"
 #include "reports/html/dashboard_findings.hpp"
 #include "reports/html/escape.hpp"
+#include "reports/html/page_head.hpp"
 #include "reports/html/web_files.hpp"
 
 #include <algorithm>
@@ -12,17 +13,6 @@
 
 namespace alcove {
 namespace {
-
-std::string make_head() {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-        "'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>Alcove: dashboard</title>\n<style>{}{}</style></head><body>\n",
-        find_web_file("page.css"), find_web_file("dashboard.css"));
-}
 
 std::string make_header(const StoredHistory& history) {
     std::string text = fmt::format(
@@ -181,7 +171,8 @@ std::string make_script(const StoredHistory& history, const std::vector<ShownSer
 
 std::string make_dashboard_page(const StoredHistory& history) {
     const std::vector<ShownSeries> shown = replay_series(history);
-    std::string page = make_head() + make_header(history) + "<main>\n" + make_notice() +
+    std::string page = make_page_head("dashboard", {.runs_scripts = true}, {"dashboard.css"}) +
+                       make_header(history) + "<main>\n" + make_notice() +
                        make_findings_sections(history, shown);
     for (const Group& group : group_series(shown)) {
         page += make_group(group);

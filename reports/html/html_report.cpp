@@ -6,6 +6,7 @@
 #include "reports/html/appendix.hpp"
 #include "reports/html/escape.hpp"
 #include "reports/html/page_data.hpp"
+#include "reports/html/page_head.hpp"
 #include "reports/html/pictures.hpp"
 #include "reports/html/round_section.hpp"
 #include "reports/html/web_files.hpp"
@@ -17,18 +18,6 @@
 namespace alcove {
 
 namespace {
-
-std::string make_head(const RunAnalysis& analysis) {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
-        "file:; style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>Alcove: {}</title>\n<style>{}{}</style></head><body>\n",
-        escape_html(analysis.plan.experiment), find_web_file("page.css"),
-        find_web_file("report.css"));
-}
 
 /// One tile of the strip that says whether the machine was fit to measure.
 std::string make_tile(std::string_view title, const std::string& value, const std::string& note) {
@@ -139,8 +128,9 @@ void write_html_report(const RunFolder& run, const HtmlOptions& options) {
     const std::filesystem::path folder = options.out.empty() ? run.path() / "report" : options.out;
     const PictureFinder finder(run.path(), folder);
     const RunAnalysis analysis = analyze_run(run, options.provisional);
-    std::string page = make_head(analysis) + make_header(analysis, options.in_progress) +
-                       make_navigation(analysis) + "<main>\n" + make_chart_notice();
+    std::string page = make_page_head(analysis.plan.experiment, {true, true}, {"report.css"}) +
+                       make_header(analysis, options.in_progress) + make_navigation(analysis) +
+                       "<main>\n" + make_chart_notice();
     for (const RoundAnalysis& round : analysis.rounds) {
         page += make_round_section(analysis, round, finder);
     }

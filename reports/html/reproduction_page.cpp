@@ -2,7 +2,7 @@
 
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
-#include "reports/html/web_files.hpp"
+#include "reports/html/page_head.hpp"
 
 #include <algorithm>
 
@@ -13,19 +13,6 @@ namespace {
 
 /// Longer tables are folded.
 constexpr std::size_t kLongTable = 30;
-
-std::string make_head(const Reproduction& reproduction) {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
-        "file:; style-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>Alcove: reproduction of {0}</title>\n<style>{1}</style></head><body>\n"
-        "<header><h1>Reproduction of {0}</h1><p>{2}</p></header>\n<main>\n",
-        escape_html(reproduction.paper), find_web_file("page.css"),
-        escape_html(reproduction.citation));
-}
 
 std::string make_verdict_row(const ClaimVerdict& verdict) {
     const Claim& claim = verdict.claim;
@@ -121,7 +108,10 @@ std::string make_errata(const Reproduction& reproduction) {
 } // namespace
 
 std::string make_reproduction_page(const Reproduction& reproduction) {
-    std::string page = make_head(reproduction);
+    std::string page =
+        make_page_head("reproduction of " + reproduction.paper, {.shows_pictures = true});
+    page += fmt::format("<header><h1>Reproduction of {}</h1><p>{}</p></header>\n<main>\n",
+                        escape_html(reproduction.paper), escape_html(reproduction.citation));
     page += fmt::format(
         "<p class=\"verdict\">{}.</p>\n<p class=\"fitness\">Scale {}; {}. A claim is judged on the "
         "form that does not depend on the hardware, by the 95 % interval of what was measured: it "

@@ -4,23 +4,12 @@
 #include "reports/analysis/stability_wording.hpp"
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
-#include "reports/html/web_files.hpp"
+#include "reports/html/page_head.hpp"
 
 #include <fmt/core.h>
 
 namespace alcove {
 namespace {
-
-std::string make_head() {
-    return fmt::format(
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src 'self' "
-        "file:; style-src 'unsafe-inline'\">\n"
-        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-        "<meta name=\"color-scheme\" content=\"light dark\">\n"
-        "<title>Alcove: stability</title>\n<style>{}{}</style></head><body>\n",
-        find_web_file("page.css"), find_web_file("stability.css"));
-}
 
 const char* get_class(const StabilityCellRecord& cell) {
     switch (cell.outcome) {
@@ -160,8 +149,9 @@ std::string make_header(const StabilityRecord& record) {
 } // namespace
 
 std::string make_stability_page(const StabilityRecord& record) {
-    std::string text = make_head() + make_header(record) +
-                       "<main>\n<section><h2>Methods by case</h2>\n" + make_matrix(record) +
+    std::string text = make_page_head("stability", {.shows_pictures = true}, {"stability.css"}) +
+                       make_header(record) + "<main>\n<section><h2>Methods by case</h2>\n" +
+                       make_matrix(record) +
                        "<p class=\"note\">The number is the worst (bound - score) / bound over all "
                        "severities: 1 is perfect, 0 just holds. x: a fault (NaN, infinity, "
                        "visibility outside [0,1], a background that is not exactly 1), or a bound "

@@ -9,19 +9,6 @@
 namespace alcove {
 namespace {
 
-/// Repeats that both have.
-template <class Combine>
-std::map<int, double> combine_repeats(const std::map<int, double>& a,
-                                      const std::map<int, double>& b, Combine combine) {
-    std::map<int, double> result;
-    for (const auto& [repeat, value] : a) {
-        if (const auto found = b.find(repeat); found != b.end()) {
-            result[repeat] = combine(value, found->second);
-        }
-    }
-    return result;
-}
-
 std::map<int, double> add(const std::map<int, double>& a, const std::map<int, double>& b) {
     return combine_repeats(a, b, [](double x, double y) { return x + y; });
 }
