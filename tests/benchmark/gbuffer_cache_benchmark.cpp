@@ -4,6 +4,7 @@
 // but the first.
 
 #include "core/base/statistics.hpp"
+#include "core/gl/context.hpp"
 #include "harness/run/round_gbuffers.hpp"
 #include "scenes/registry.hpp"
 #include "tests/benchmark/ratio.hpp"
@@ -61,7 +62,9 @@ int main() {
     const std::unique_ptr<gl::Context> context = gl::open_context(gl::ContextKind::autodetect);
     const Registry<SceneUnit> scenes = scenes_registry();
     const SceneUnit& unit = scenes.find("cathedral");
-    const std::unique_ptr<Scene> scene = unit.open(unit.parameters.resolve({}, {}));
+    // About 200 000 vertices.
+    const std::vector<ParameterOverride> detail{{"detail", "6"}};
+    const std::unique_ptr<Scene> scene = unit.open(unit.parameters.resolve(detail, {}));
     std::printf("# cathedral: %zu vertices\n", count_size(*scene).vertices);
     const bool base = measure(*context, *scene, "base", kBaseChannels);
     const bool more = measure(*context, *scene, "with motion and depth",
