@@ -63,7 +63,7 @@ int main() {
     const Registry<SceneUnit> scenes = scenes_registry();
     const SceneUnit& unit = scenes.find("cathedral");
     // About 200 000 vertices.
-    const std::vector<ParameterOverride> detail{{"detail", "6"}};
+    const std::vector<ParameterOverride> detail{{"detail", "7"}};
     const std::unique_ptr<Scene> scene = unit.open(unit.parameters.resolve(detail, {}));
     std::printf("# cathedral: %zu vertices\n", count_size(*scene).vertices);
     const bool base = measure(*context, *scene, "base", kBaseChannels);
