@@ -14,7 +14,7 @@ namespace {
 /// Longer tables start closed: about one screen of rows.
 constexpr std::size_t kMostOpenRows = 16;
 
-constexpr const char* kNothing = "<td class=\"absent\">&ndash;</td>";
+constexpr const char* kNothing = "<td class=\"absent text\">&ndash;</td>";
 
 const char* name_standing(const TradeoffPoint& point) {
     return point.is_on_front ? "front" : (point.is_surely_beaten ? "beaten" : "not surely beaten");
