@@ -126,6 +126,8 @@ int run_command_line(int argc, char** argv) {
     add("compare", "two runs, paired through the anchor", add_compare_verb);
     add("ab", "two builds, alternately in one go", add_ab_verb);
     verbs.back().passes_rest_on = true;
+    add("nightly", "run, append to the store, gate against history, redraw the dashboard",
+        [&](CLI::App& verb) { return add_nightly_verb(verb, line); });
     add("reproduce", "a paper's tables and figures, with a verdict a claim",
         [&](CLI::App& verb) { return add_reproduce_verb(verb, line); });
     add("list", "methods, scenes, metrics, parameters", add_list_verb);

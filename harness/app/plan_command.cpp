@@ -1,6 +1,6 @@
-#include "core/gl/gl_timer_bench.hpp"
 #include "harness/app/context_flags.hpp"
 #include "harness/app/experiment_flags.hpp"
+#include "harness/app/running.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/effects_saving.hpp"
 #include "harness/run/plan.hpp"
@@ -70,8 +70,7 @@ int print_plan(const PlanFlags& flags) {
     const ContextChoice choice = flags.context.parse();
     const MadePlan plan = make_plan(make_planned_experiment(flags, units), units);
     const std::unique_ptr<gl::Context> context = open_chosen_context(choice);
-    gl::GlTimerBench bench(context->functions());
-    const gl::TimerMode mode = gl::validate_timers(bench).chosen();
+    const gl::TimerMode mode = validate_clock(*context).chosen();
     for (const RoundRecord& round : plan.record.rounds) {
         print_decisions(round);
         std::vector<std::string> warnings; // said when the plan was made

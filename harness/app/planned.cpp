@@ -8,7 +8,6 @@ namespace alcove {
 
 std::span<const Planned> list_planned_verbs() {
     static constexpr std::array kVerbs{
-        Planned{"nightly", "run, append to the store, gate against history"},
         Planned{"score", "new metrics over kept images"},
         Planned{"scene", "fetch and export scenes"},
         Planned{"tune", "fit parameters to a target"},

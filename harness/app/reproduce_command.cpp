@@ -1,10 +1,10 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/nearest_name.hpp"
-#include "core/gl/gl_timer_bench.hpp"
 #include "harness/app/context_flags.hpp"
 #include "harness/app/progress.hpp"
 #include "harness/app/reports.hpp"
+#include "harness/app/running.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/environment.hpp"
 #include "harness/run/experiment_file.hpp"
@@ -128,9 +128,7 @@ int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
                              : fs::path(flags.out);
     const std::unique_ptr<gl::Context> context = open_chosen_context(flags.context.parse());
     create_output_folder(out);
-    gl::GlTimerBench bench(context->functions());
-    const gl::TimerReport timers = gl::validate_timers(bench);
-    context->check_errors();
+    const gl::TimerReport timers = validate_clock(*context);
     fmt::print(stderr, "alcove: writing to {} (continue with --out {})\n", out.string(),
                out.string());
     Evidence evidence;

@@ -1,16 +1,13 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
-#include "core/gl/gl_timer_bench.hpp"
 #include "harness/app/context_flags.hpp"
 #include "harness/app/experiment_flags.hpp"
 #include "harness/app/planned.hpp"
-#include "harness/app/progress.hpp"
-#include "harness/app/reports.hpp"
+#include "harness/app/running.hpp"
 #include "harness/app/turns.hpp"
 #include "harness/app/verbs.hpp"
 #include "harness/run/environment.hpp"
 #include "harness/run/estimate.hpp"
-#include "harness/run/run_experiment.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -33,69 +30,14 @@ struct RunFlags {
     std::string clock_of;
 };
 
-void print_notes(const MadePlan& plan) {
-    for (const std::string& warning : plan.warnings) {
-        fmt::print(stderr, "alcove: warning: {}\n", warning);
-    }
-    for (const SkippedRecord& skipped : plan.record.skipped) {
-        fmt::print(stderr, "alcove: {} is skipped: {}\n", skipped.what, skipped.reason);
-    }
-}
-
-int execute(RunFolder& run, gl::Context& context, gl::TimerMode mode, const Units& units,
-            const Turns& turns) {
-    fmt::print(stderr, "alcove: writing to {} (continue with --resume {})\n", run.path().string(),
-               run.path().string());
-    {
-        Progress progress;
-        RunEvents events;
-        events.progress = [&](double share, const std::string& what) {
-            progress.show(share, what);
-        };
-        events.update = [&](const std::vector<FirstTime>& times) {
-            std::vector<ProvisionalRow> rows;
-            for (const FirstTime& time : times) {
-                rows.push_back({time.round, time.cell, time.label, time.time_ms});
-            }
-            write_reports(run, !run.is_complete(), std::move(rows));
-        };
-        events.before_step = [&](const std::string& what) { turns.take(what); };
-        run_experiment(run, context, mode, units, events);
-    }
-    write_reports(run, false, {});
-    print_table(run);
-    return 0;
-}
-
-gl::TimerReport validate(gl::Context& context) {
-    gl::GlTimerBench bench(context.functions());
-    gl::TimerReport timers = gl::validate_timers(bench);
-    context.check_errors();
-    return timers;
-}
-
-/// The clock that a run was begun with, proved anew. On a busy machine a clock that is right can
-/// fail, so it is tried again before the run is refused. Fenced wall time needs no proof.
-gl::TimerReport validate_again(gl::Context& context, const std::string& recorded) {
-    constexpr int kTries = 4;
-    gl::TimerReport timers;
-    if (recorded == gl::to_text(gl::TimerMode::fenced_wall)) {
-        return timers;
-    }
-    for (int i = 0; i < kTries && (i == 0 || gl::to_text(timers.chosen()) != recorded); ++i) {
-        timers = validate(context);
-    }
-    return timers;
-}
-
 /// The clock for a new run: the cheapest that is proved, or that of another run, which alone makes
 /// the two comparable.
 gl::TimerReport choose_clock(gl::Context& context, const std::string& clock_of) {
     if (clock_of.empty()) {
-        return validate(context);
+        return validate_clock(context);
     }
     const std::string recorded = RunFolder::open(clock_of).context().timer_mode;
-    gl::TimerReport timers = validate_again(context, recorded);
+    gl::TimerReport timers = validate_clock_again(context, recorded);
     if (gl::to_text(timers.chosen()) != recorded) {
         throw FailureError("--clock-of", "the clock of that run could not be proved here", recorded,
                            "a machine with less else to do");
@@ -158,7 +100,8 @@ int start(const RunFlags& flags, const std::string& command_line) {
     turns.take("clock");
     const gl::TimerReport timers = choose_clock(*context, flags.clock_of);
     RunFolder run = RunFolder::create(out, describe_environment(*context, timers), plan.record);
-    return execute(run, *context, timers.chosen(), units, turns);
+    execute(run, *context, timers.chosen(), units, turns);
+    return 0;
 }
 
 int resume(const RunFlags& flags) {
@@ -171,9 +114,10 @@ int resume(const RunFlags& flags) {
     check_same_environment(run.context(), here);
     const Turns turns(flags.turns);
     turns.take("clock");
-    const gl::TimerReport timers = validate_again(*context, run.context().timer_mode);
+    const gl::TimerReport timers = validate_clock_again(*context, run.context().timer_mode);
     check_same_environment(run.context(), describe_environment(*context, timers));
-    return execute(run, *context, timers.chosen(), units, turns);
+    execute(run, *context, timers.chosen(), units, turns);
+    return 0;
 }
 
 std::string describe_planned_flags() {

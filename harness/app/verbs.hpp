@@ -19,6 +19,7 @@ using Action = std::function<int()>;
 /// Takes what it does not know itself as flags of `run`.
 [[nodiscard]] Action add_ab_verb(CLI::App& app);
 [[nodiscard]] Action add_compare_verb(CLI::App& app);
+[[nodiscard]] Action add_nightly_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_list_verb(CLI::App& app);
 [[nodiscard]] Action add_metric_verb(CLI::App& app);
 [[nodiscard]] Action add_reference_verb(CLI::App& app);

@@ -86,7 +86,7 @@ CaptureIngredients RoundReuse::describe_round() const {
         {"metrics", metrics},
     };
     ingredients.contents = {
-        {"geometry and camera", hash_shown(m_stage)},
+        {std::string(kShownIngredient), hash_shown(m_stage)},
         {"sources of the reference",
          m_stage.units().methods.find(round.reference.method).content_hash},
         {"sources of metrics", Hasher().add(metric_sources).finish_hex()},

@@ -14,22 +14,6 @@ struct Field {
     friend bool operator==(const Field&, const Field&) = default;
 };
 
-std::string describe_segments(const RoundRecord& round) {
-    std::string text;
-    for (const SegmentRecord& segment : round.segments) {
-        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", segment.begin, segment.end);
-    }
-    return text;
-}
-
-std::string describe_reference(const CellRecord& reference) {
-    std::string text = reference.label;
-    for (const ParameterRecord& parameter : reference.parameters) {
-        text += fmt::format(" {}={}", parameter.name, parameter.value);
-    }
-    return text;
-}
-
 /// What makes rounds of two runs the same question.
 std::array<Field, 8> make_key(const RoundRecord& round) {
     return {{{"scene", round.scene},
@@ -39,7 +23,7 @@ std::array<Field, 8> make_key(const RoundRecord& round) {
              {"precision", round.precision},
              {"segments", describe_segments(round)},
              {"warm", round.warm ? "yes" : "no"},
-             {"reference", describe_reference(round.reference)}}};
+             {"reference", describe_configuration(round.reference)}}};
 }
 
 struct OpenCell {
@@ -139,6 +123,22 @@ void add_unpaired(std::vector<Unpaired>& unpaired, const std::vector<OpenCell>& 
 }
 
 } // namespace
+
+std::string describe_segments(const RoundRecord& round) {
+    std::string text;
+    for (const SegmentRecord& segment : round.segments) {
+        text += fmt::format("{}{}:{}", text.empty() ? "" : ",", segment.begin, segment.end);
+    }
+    return text;
+}
+
+std::string describe_configuration(const CellRecord& cell) {
+    std::string text = cell.label;
+    for (const ParameterRecord& parameter : cell.parameters) {
+        text += fmt::format(" {}={}", parameter.name, parameter.value);
+    }
+    return text;
+}
 
 std::string describe_place(const RoundRecord& round) {
     return fmt::format("{} {}x{}, {}", round.scene, round.width, round.height, round.target);

@@ -22,6 +22,11 @@ struct MatchedCells {
 [[nodiscard]] std::vector<ParameterChange> list_parameter_changes(const CellRecord& base,
                                                                   const CellRecord& next);
 
+/// "0:16,40:56"
+[[nodiscard]] std::string describe_segments(const RoundRecord& round);
+/// Label and parameters: "reference_ray_traced samples=64".
+[[nodiscard]] std::string describe_configuration(const CellRecord& cell);
+
 /// "balls 320x180, walk, radius=0.5 m, ..."
 [[nodiscard]] std::string describe_place(const RoundRecord& round);
 

@@ -173,6 +173,20 @@ void judge_times(const std::vector<TimeComparison*>& times) {
     }
 }
 
+std::vector<PartShare> estimate_parts(const AnchoredCell& cell) {
+    std::vector<PartShare> parts;
+    const auto add = [&](std::string_view part, bool cached, const Repeats& shares) {
+        if (const std::optional<Estimate> share = estimate(shares)) {
+            parts.push_back({std::string(part), cached, *share});
+        }
+    };
+    for (const std::string& pass : cell.cell.pass_order) {
+        add(pass, is_cached(cell.cell, pass), compute_pass(cell, pass));
+    }
+    add(kConvergedPart, false, compute_converged(cell));
+    return parts;
+}
+
 std::vector<PartComparison> compare_parts(const AnchoredCell& base, const AnchoredCell& next,
                                           bool paired) {
     std::vector<std::string> passes = base.cell.pass_order;
@@ -188,8 +202,8 @@ std::vector<PartComparison> compare_parts(const AnchoredCell& base, const Anchor
         parts.back().is_cached = is_cached(base.cell, pass) || is_cached(next.cell, pass);
     }
     if (!base.cell.converged.empty() || !next.cell.converged.empty()) {
-        parts.push_back(
-            compare_part("converged", compute_converged(base), compute_converged(next), paired));
+        parts.push_back(compare_part(std::string(kConvergedPart), compute_converged(base),
+                                     compute_converged(next), paired));
     }
     return parts;
 }

@@ -23,6 +23,15 @@ compare_times(const AnchoredCell& base, const AnchoredCell& next, const Comparis
 /// same if the interval lies between the two.
 void judge_times(const std::vector<TimeComparison*>& times);
 
+/// A pass, an "input/..." or kConvergedPart of one cell, in units of its anchor.
+struct PartShare {
+    std::string part;
+    bool is_cached = false; ///< an input cost stored with a reused G-buffer
+    Estimate share;
+};
+inline constexpr std::string_view kConvergedPart = "converged";
+[[nodiscard]] std::vector<PartShare> estimate_parts(const AnchoredCell& cell);
+
 [[nodiscard]] std::vector<PartComparison> compare_parts(const AnchoredCell& base,
                                                         const AnchoredCell& next, bool paired);
 

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace alcove {
@@ -228,6 +229,9 @@ struct IngredientRecord {
     std::string name; ///< "scene", "method's sources"
     std::string value;
 };
+
+/// The ingredient that says what a walkthrough shows: a hash of geometry and cameras.
+inline constexpr std::string_view kShownIngredient = "geometry and camera";
 
 /// Why a cell was captured, or was not.
 struct ReuseRecord {

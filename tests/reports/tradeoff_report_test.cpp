@@ -1,7 +1,9 @@
 // Trade-offs as a table of the page and as a file.
 
 #include "core/base/file.hpp"
+#include "core/base/text.hpp"
 #include "reports/csv/tradeoff_csv.hpp"
+#include "reports/html/html_report.hpp"
 #include "reports/html/tradeoff_section.hpp"
 #include "reports/record/csv.hpp"
 #include "tests/reports/synthetic_run.hpp"
@@ -72,6 +74,25 @@ TEST(TradeoffSection, WhatIsNotSurelyBeatenIsNotCalledBeaten) {
     const std::string text = make_tradeoff_section(make_simple_run(0.4));
     EXPECT_EQ(text.find("<td class=\"text\">beaten</td>"), std::string::npos);
     EXPECT_NE(text.find("<td class=\"text\">not surely beaten</td>"), std::string::npos);
+}
+
+TEST(TradeoffSection, StandsOnThePageAndItsErrorsIntervalsInTheChart) {
+    const synthetic::TemporaryFolder folder;
+    const RunFolder run = synthetic::write_run(folder.path(), {});
+    write_html_report(run, {});
+    const std::string page = read_file(folder.path() / "report" / "index.html");
+    for (const char* part :
+         {"<a href=\"#tradeoff\">", "<section id=\"tradeoff\">", "<a href=\"../tradeoff.csv\">"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    }
+    const RunAnalysis analysis = analyze_run(run);
+    const MetricAnalysis* ssim = analysis.rounds.at(0).cells.back().find(SampleState::cold, "ssim");
+    ASSERT_NE(ssim, nullptr);
+    const Interval ends = get_bounds(ssim->content);
+    EXPECT_LT(ends.lower, ends.upper);
+    EXPECT_NE(page.find("\"lower\":" + format_number(ends.lower) +
+                        ",\"upper\":" + format_number(ends.upper)),
+              std::string::npos);
 }
 
 TEST(TradeoffSection, LongGroupsAreFolded) {

@@ -5,6 +5,7 @@ import { accessSync, constants, mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { delimiter, join } from "node:path";
+import { pathToFileURL } from "node:url";
 
 export function skip(reason) {
   console.log(`skipped: ${reason}`);
@@ -35,7 +36,7 @@ function loadPlaywright() {
 }
 
 /** Writes the synthetic runs into a new folder, opens a browser, and removes both whatever happens. */
-export async function withBrowser(writeSynthetic, act) {
+async function withBrowser(writeSynthetic, act) {
   const chromium = loadPlaywright();
   const executablePath = findChromium();
   const folder = mkdtempSync(join(tmpdir(), "alcove-web-"));
@@ -53,4 +54,34 @@ export async function withBrowser(writeSynthetic, act) {
     await browser?.close();
     rmSync(folder, { recursive: true, force: true });
   }
+}
+
+/** A page from a file that collects everything that must not happen. */
+export async function openPage(browser, path, options) {
+  const context = await browser.newContext(options);
+  const page = await context.newPage();
+  const troubles = [];
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && troubles.push(message.text()));
+  page.on("pageerror", (error) => troubles.push(error.message));
+  page.on("request", (request) => request.url().startsWith("file:") || troubles.push(`request ${request.url()}`));
+  await page.goto(pathToFileURL(path).href);
+  return { page, troubles, close: () => context.close() };
+}
+
+/** Runs every test on what the program writes, however many of them fail. */
+export async function runTests(tests, writeSynthetic) {
+  await withBrowser(writeSynthetic, async (browser, folder) => {
+    let failed = 0;
+    for (const [name, test] of Object.entries(tests)) {
+      try {
+        await test(browser, folder);
+        console.log(`ok: ${name}`);
+      } catch (error) {
+        ++failed;
+        console.log(`FAILED: ${name}\n${error.stack}`);
+      }
+    }
+    console.log(`${Object.keys(tests).length - failed} of ${Object.keys(tests).length} passed`);
+    process.exitCode = failed > 0 ? 1 : 0;
+  });
 }

@@ -3,8 +3,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { pathToFileURL } from "node:url";
-import { withBrowser } from "./browser.mjs";
+import { openPage, runTests } from "./browser.mjs";
 
 if (process.argv.length !== 3) {
   console.error("usage: node report_page.test.mjs PATH/alcove_write_synthetic");
@@ -13,16 +12,8 @@ if (process.argv.length !== 3) {
 
 const width = 1000;
 
-/** A page that collects everything that must not happen. */
-async function openReport(browser, folder, run, options = {}) {
-  const context = await browser.newContext({ viewport: { width, height: 900 }, ...options });
-  const page = await context.newPage();
-  const troubles = [];
-  page.on("console", (message) => ["error", "warning"].includes(message.type()) && troubles.push(message.text()));
-  page.on("pageerror", (error) => troubles.push(error.message));
-  page.on("request", (request) => request.url().startsWith("file:") || troubles.push(`request ${request.url()}`));
-  await page.goto(pathToFileURL(join(folder, run, "report", "index.html")).href);
-  return { page, troubles, close: () => context.close() };
+function openReport(browser, folder, run, options = {}) {
+  return openPage(browser, join(folder, run, "report", "index.html"), { viewport: { width, height: 900 }, ...options });
 }
 
 /** Pixels that are not transparent, and a sum that changes when the drawing does. */
@@ -306,17 +297,4 @@ const tests = {
   },
 };
 
-await withBrowser(process.argv[2], async (browser, folder) => {
-  let failed = 0;
-  for (const [name, test] of Object.entries(tests)) {
-    try {
-      await test(browser, folder);
-      console.log(`ok: ${name}`);
-    } catch (error) {
-      ++failed;
-      console.log(`FAILED: ${name}\n${error.stack}`);
-    }
-  }
-  console.log(`${Object.keys(tests).length - failed} of ${Object.keys(tests).length} passed`);
-  process.exitCode = failed > 0 ? 1 : 0;
-});
+await runTests(tests, process.argv[2]);
