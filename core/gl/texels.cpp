@@ -32,8 +32,7 @@ const TexelFormat& find_format(GLenum internal) {
 
 std::size_t count_bytes(const Texture& texture) {
     return static_cast<std::size_t>(texture.size().width) *
-           static_cast<std::size_t>(texture.size().height) *
-           find_format(texture.format()).bytes;
+           static_cast<std::size_t>(texture.size().height) * find_format(texture.format()).bytes;
 }
 
 } // namespace

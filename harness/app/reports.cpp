@@ -1,6 +1,7 @@
 #include "harness/app/reports.hpp"
 
 #include "reports/csv/summary_csv.hpp"
+#include "reports/csv/tradeoff_csv.hpp"
 #include "reports/html/html_report.hpp"
 #include "reports/terminal/terminal_report.hpp"
 
@@ -17,7 +18,9 @@ std::filesystem::path get_page_folder(const RunFolder& run, const std::filesyste
 
 void write_reports(const RunFolder& run, bool in_progress, std::vector<ProvisionalRow> provisional,
                    const std::filesystem::path& out) {
-    write_summary_csv(run, analyze_run(run));
+    const RunAnalysis analysis = analyze_run(run);
+    write_summary_csv(run, analysis);
+    write_tradeoff_csv(run, analysis);
     write_html_report(run, {in_progress, std::move(provisional), get_page_folder(run, out)});
 }
 

@@ -8,7 +8,8 @@
 
 namespace alcove {
 
-/// Rewrites the page and, for finished rounds, summary.csv. `out` empty: <run>/report.
+/// Rewrites the page and, for finished rounds, summary.csv and tradeoff.csv. `out` empty:
+/// <run>/report.
 void write_reports(const RunFolder& run, bool in_progress, std::vector<ProvisionalRow> provisional,
                    const std::filesystem::path& out = {});
 

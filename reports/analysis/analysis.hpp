@@ -49,6 +49,9 @@ struct MetricAnalysis {
     std::optional<double> debiased; ///< if every frame has one
     std::optional<double> floor;    ///< if every frame has one
     bool is_below_floor = false; ///< shown() is no worse than what the reference's own noise gives
+    /// How what is shown spreads over content: over the means of segments where there are enough of
+    /// them for an interval, else over frames. Its value weighs segments alike.
+    Estimate content;
 
     /// The debiased mean where there is one, else the plain one.
     [[nodiscard]] double shown() const { return debiased.value_or(value); }
@@ -125,8 +128,8 @@ struct RunAnalysis {
     ContextRecord context;
     PlanRecord plan;
     bool is_complete = false;
-    bool is_timer_validated = false;   ///< the mode in use was accepted by a trial
-    std::vector<RoundAnalysis> rounds; ///< finished ones
+    bool is_timer_validated = false;    ///< the mode in use was accepted by a trial
+    std::vector<RoundAnalysis> rounds;  ///< finished ones
     std::vector<MetricRow> metric_rows; ///< of finished rounds
     std::vector<ProvisionalRow> provisional;
 

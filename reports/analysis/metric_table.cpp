@@ -3,6 +3,7 @@
 #include "core/base/statistics.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace alcove {
 namespace {
@@ -26,6 +27,19 @@ std::optional<double> mean_of_all(const std::vector<std::optional<double>>& valu
 
 bool is_single(const RoundRecord& round, int segment) {
     return round.segments[static_cast<std::size_t>(segment)].is_single();
+}
+
+/// Means of segments where there are enough of them for an interval, else frames.
+Estimate estimate_over_content(const std::map<int, std::vector<double>>& by_segment) {
+    std::vector<double> units;
+    for (const auto& [segment, values] : by_segment) {
+        if (by_segment.size() >= kMinimumRepeatsForInterval) {
+            units.push_back(compute_mean(values));
+        } else {
+            units.insert(units.end(), values.begin(), values.end());
+        }
+    }
+    return estimate_across_repeats(units);
 }
 
 } // namespace
@@ -72,6 +86,13 @@ MetricAnalysis summarize_metric(const std::string& metric,
     result.maximum = *std::max_element(values.begin(), values.end());
     result.debiased = mean_of_all(debiased);
     result.floor = mean_of_all(floors);
+    std::map<int, std::vector<double>> shown;
+    for (const MetricRow* row : rows) {
+        if (row->value) {
+            shown[row->segment].push_back(result.debiased ? *row->debiased : *row->value);
+        }
+    }
+    result.content = estimate_over_content(shown);
     if (result.floor) {
         result.is_below_floor =
             lower_is_better ? result.shown() < *result.floor : result.shown() > *result.floor;

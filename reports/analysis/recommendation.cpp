@@ -15,23 +15,15 @@
 namespace alcove {
 namespace {
 
-Interval get_bounds(const Estimate& estimate) {
-    return estimate.interval.value_or(Interval{estimate.minimum, estimate.maximum});
-}
-
 enum class Meets { surely, perhaps, no };
 
 Meets check(const TradeoffPoint& point, const QualityBound& quality) {
     const Interval bounds = get_bounds(point.error);
-    if (quality.is_below) {
-        return bounds.upper < quality.bound        ? Meets::surely
-               : point.error.value < quality.bound ? Meets::perhaps
-               : bounds.lower < quality.bound      ? Meets::perhaps
-                                                   : Meets::no;
-    }
-    return bounds.lower > quality.bound   ? Meets::surely
-           : bounds.upper > quality.bound ? Meets::perhaps
-                                          : Meets::no;
+    const bool has_all =
+        quality.is_below ? bounds.upper < quality.bound : bounds.lower > quality.bound;
+    const bool has_some =
+        quality.is_below ? bounds.lower < quality.bound : bounds.upper > quality.bound;
+    return has_all ? Meets::surely : (has_some ? Meets::perhaps : Meets::no);
 }
 
 std::string describe_point(const TradeoffPoint& point, const std::string& metric) {
@@ -54,6 +46,9 @@ QualityBound parse_quality(std::string_view text, const PlanRecord& plan) {
     }
     quality.is_below = text[sign] == '<';
     quality.bound = parse_number(text.substr(sign + 1), "--quality");
+    if (!std::isfinite(quality.bound)) {
+        throw InputError("--quality", "out of range", text, "a finite number");
+    }
     std::vector<std::string> names;
     for (const MetricDescription& metric : plan.metrics) {
         if (metric.kind == "image") {
@@ -123,7 +118,8 @@ std::string describe_recommendation(const Recommendation& recommendation,
         }
     }
     for (const TradeoffPoint& point : recommendation.uncertain) {
-        text += "\n  faster, and perhaps: " + describe_point(point, quality.metric);
+        text += (recommendation.cells.empty() ? "\n  perhaps: " : "\n  faster, and perhaps: ") +
+                describe_point(point, quality.metric);
     }
     return text;
 }

@@ -3,76 +3,34 @@
 #include "reports/analysis/metric_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace alcove {
 namespace {
 
-/// Bounds of time-to-quality, over the smallest error of the group.
-constexpr std::array kQualitySteps{1.1, 1.25, 1.5, 2.0};
-
+/// Rounds of which the errors are over the same images.
 auto get_group(const RoundRecord& round) {
+    std::vector<std::pair<int, int>> segments;
+    for (const SegmentRecord& segment : round.segments) {
+        segments.emplace_back(segment.begin, segment.end);
+    }
     return std::tuple(round.scene, round.walkthrough, round.target, round.width, round.height,
-                      round.precision, round.reference.label);
-}
-
-bool is_single(const RoundRecord& round, int segment) {
-    return round.segments.at(static_cast<std::size_t>(segment)).is_single();
-}
-
-/// Means of segments where there are enough of them for an interval, else frames.
-Estimate estimate_over_content(const std::map<int, std::vector<double>>& by_segment) {
-    std::vector<double> units;
-    if (by_segment.size() >= kMinimumRepeatsForInterval) {
-        for (const auto& [segment, values] : by_segment) {
-            units.push_back(compute_mean(values));
-        }
-    } else {
-        for (const auto& [segment, values] : by_segment) {
-            units.insert(units.end(), values.begin(), values.end());
-        }
-    }
-    return estimate_across_repeats(units);
-}
-
-/// The cell's errors in the group's state; nothing if it has none.
-std::optional<Estimate> estimate_error(const RoundRecord& round, const CellRecord& cell,
-                                       const std::vector<MetricRow>& rows,
-                                       const std::string& metric, SampleState state) {
-    const bool wants_singles = state == SampleState::converged;
-    const SampleState wanted = cell.warm_frames == 0 ? SampleState::cold : state;
-    std::map<int, std::vector<double>> values;
-    for (const MetricRow& row : rows) {
-        const bool is_ours = row.round == round.id && row.cell == cell.id && row.metric == metric &&
-                             row.state == wanted && row.value;
-        if (is_ours && is_single(round, row.segment) == wants_singles) {
-            values[row.segment].push_back(row.debiased.value_or(*row.value));
-        }
-    }
-    if (values.empty()) {
-        return std::nullopt;
-    }
-    return estimate_over_content(values);
-}
-
-Interval get_bounds(const Estimate& estimate) {
-    return estimate.interval.value_or(Interval{estimate.minimum, estimate.maximum});
+                      round.precision, round.reference.label, round.warm, segments);
 }
 
 class TradeoffBuilder {
   public:
     TradeoffBuilder(Tradeoff& tradeoff) : m_tradeoff(tradeoff) {}
 
-    void add(const RoundAnalysis& round, const std::vector<MetricRow>& rows) {
+    void add(const RoundAnalysis& round) {
         for (const CellAnalysis& cell : round.cells) {
             if (cell.cell.role != CellRole::method || (cell.cell.has_passes && !cell.ratio)) {
                 continue;
             }
-            const std::optional<Estimate> error =
-                estimate_error(round.round, cell.cell, rows, m_tradeoff.metric, m_tradeoff.state);
-            if (!error) {
+            const MetricAnalysis* error = cell.find(m_tradeoff.state, m_tradeoff.metric);
+            if (error == nullptr) {
                 continue;
             }
             TradeoffPoint point;
@@ -81,7 +39,7 @@ class TradeoffBuilder {
             point.label = cell.cell.label;
             point.method = cell.cell.method;
             point.time = cell.ratio.value_or(Estimate{});
-            point.error = *error;
+            point.error = error->content;
             m_tradeoff.points.push_back(std::move(point));
         }
     }
@@ -143,61 +101,79 @@ class TradeoffBuilder {
     Tradeoff& m_tradeoff;
 };
 
+/// Errors of a burst's frames, by their distance from its start.
+using Burst = std::map<int, double>;
+
 /// Frames from a burst's start until the error is within the bound and stays there; nothing if it
 /// never is.
-std::optional<int> count_frames(const std::vector<double>& errors, double bound, double sign) {
-    int frames = 0;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        if (sign * errors[i] > sign * bound) {
-            frames = static_cast<int>(i) + 1;
+std::optional<int> count_frames(const Burst& errors, double bound, double sign) {
+    int frames = 1;
+    for (const auto& [distance, error] : errors) {
+        if (sign * error > sign * bound) {
+            frames = distance + 2;
         }
     }
-    return frames == static_cast<int>(errors.size()) ? std::nullopt : std::optional(frames + 1);
+    return frames > errors.rbegin()->first + 1 ? std::nullopt : std::optional(frames);
 }
 
-std::vector<TimeToQuality> find_quality(const RoundRecord& round, const TradeoffPoint& point,
-                                        const std::vector<MetricRow>& rows,
-                                        const std::string& metric, double best, double sign) {
-    std::map<int, std::vector<double>> bursts;
-    for (const MetricRow& row : rows) {
-        const bool is_ours = row.round == round.id && row.cell == point.cell &&
-                             row.metric == metric && row.state == SampleState::cold && row.value;
-        if (is_ours && !is_single(round, row.segment)) {
-            bursts[row.segment].push_back(row.debiased.value_or(*row.value));
+std::map<int, Burst> collect_bursts(const RoundRecord& round, const CellAnalysis& cell,
+                                    const std::string& metric) {
+    std::map<int, Burst> bursts;
+    for (const FrameError& error : cell.frame_errors) {
+        const SegmentRecord& segment = round.segments[static_cast<std::size_t>(error.segment)];
+        if (error.metric == metric && error.value && !segment.is_single()) {
+            bursts[error.segment][error.frame - segment.begin] = *error.value;
         }
     }
-    std::vector<TimeToQuality> list;
-    for (const double step : kQualitySteps) {
-        TimeToQuality entry;
-        entry.bound = sign > 0.0 ? best * step : best / step;
-        entry.frames = bursts.empty() ? std::nullopt : std::optional(0);
-        for (const auto& [segment, errors] : bursts) {
-            const std::optional<int> frames = count_frames(errors, entry.bound, sign);
-            entry.frames = frames && entry.frames ? std::optional(std::max(*frames, *entry.frames))
-                                                  : std::nullopt;
-        }
-        if (entry.frames) {
-            entry.time = *entry.frames * point.time.value;
-        }
-        list.push_back(entry);
-    }
-    return list;
+    return bursts;
 }
 
-void add_quality(Tradeoff& tradeoff, const std::vector<const RoundAnalysis*>& rounds,
-                 const std::vector<MetricRow>& rows) {
+TimeToQuality measure_quality(const std::map<int, Burst>& bursts, double bound, double sign,
+                              double time) {
+    TimeToQuality entry;
+    entry.bound = bound;
+    entry.frames = bursts.empty() ? std::nullopt : std::optional(0);
+    for (const auto& [segment, errors] : bursts) {
+        const std::optional<int> frames = count_frames(errors, bound, sign);
+        entry.frames =
+            frames && entry.frames ? std::optional(std::max(*frames, *entry.frames)) : std::nullopt;
+    }
+    if (entry.frames) {
+        entry.time = *entry.frames * time;
+    }
+    return entry;
+}
+
+const CellAnalysis& find_cell(const std::vector<const RoundAnalysis*>& rounds,
+                              const TradeoffPoint& point) {
+    const auto round = std::find_if(rounds.begin(), rounds.end(), [&](const RoundAnalysis* other) {
+        return other->round.id == point.round;
+    });
+    return *std::find_if((*round)->cells.begin(), (*round)->cells.end(),
+                         [&](const CellAnalysis& cell) { return cell.cell.id == point.cell; });
+}
+
+void add_quality(Tradeoff& tradeoff, const std::vector<const RoundAnalysis*>& rounds) {
+    const RoundRecord& round = rounds.front()->round; // the segments are those of all
+    const bool has_bursts =
+        std::any_of(round.segments.begin(), round.segments.end(),
+                    [](const SegmentRecord& segment) { return !segment.is_single(); });
+    if (round.warm || !has_bursts) {
+        return;
+    }
     const double sign = tradeoff.lower_is_better ? 1.0 : -1.0;
     double best = tradeoff.points.front().error.value;
     for (const TradeoffPoint& point : tradeoff.points) {
         best = sign * std::min(sign * best, sign * point.error.value);
     }
     for (const TradeoffPoint& point : tradeoff.points) {
-        const auto round =
-            std::find_if(rounds.begin(), rounds.end(), [&point](const RoundAnalysis* other) {
-                return other->round.id == point.round;
-            });
-        tradeoff.to_quality.push_back(
-            find_quality((*round)->round, point, rows, tradeoff.metric, best, sign));
+        const std::map<int, Burst> bursts =
+            collect_bursts(round, find_cell(rounds, point), tradeoff.metric);
+        std::vector<TimeToQuality>& list = tradeoff.to_quality.emplace_back();
+        for (const double step : kQualitySteps) {
+            const double bound = tradeoff.lower_is_better ? best * step : best / step;
+            list.push_back(measure_quality(bursts, bound, sign, point.time.value));
+        }
     }
 }
 
@@ -207,6 +183,10 @@ bool has_singles(const RoundRecord& round) {
 }
 
 } // namespace
+
+Interval get_bounds(const Estimate& estimate) {
+    return estimate.interval.value_or(Interval{estimate.minimum, estimate.maximum});
+}
 
 std::vector<Tradeoff> compute_tradeoffs(const RunAnalysis& run, const std::string& metric) {
     std::map<decltype(get_group(RoundRecord{})), std::vector<const RoundAnalysis*>> groups;
@@ -229,18 +209,19 @@ std::vector<Tradeoff> compute_tradeoffs(const RunAnalysis& run, const std::strin
         tradeoff.width = first->round.width;
         tradeoff.height = first->round.height;
         tradeoff.precision = first->round.precision;
+        tradeoff.warm = first->round.warm;
         tradeoff.metric = metric.empty() ? first->front_metric : metric;
         tradeoff.lower_is_better = is_lower_better(run.plan, tradeoff.metric);
         tradeoff.state = has_singles(first->round) ? SampleState::converged : SampleState::cold;
         TradeoffBuilder builder(tradeoff);
         for (const RoundAnalysis* round : rounds) {
-            builder.add(*round, run.metric_rows);
+            builder.add(*round);
         }
         if (tradeoff.points.size() < 2) {
             continue;
         }
         builder.finish();
-        add_quality(tradeoff, rounds, run.metric_rows);
+        add_quality(tradeoff, rounds);
         tradeoffs.push_back(std::move(tradeoff));
     }
     return tradeoffs;

@@ -6,6 +6,8 @@
 
 #include "reports/analysis/analysis.hpp"
 
+#include <array>
+
 namespace alcove {
 
 /// One cell. Rounds of one scene and target are joined through their anchors.
@@ -25,6 +27,10 @@ struct TradeoffPoint {
     std::optional<std::size_t> equal_error;
 };
 
+/// Bounds of time-to-quality, over the smallest error of the group (under the largest, where higher
+/// is better).
+inline constexpr std::array kQualitySteps{1.1, 1.25, 1.5, 2.0};
+
 /// Frames and time that a cell takes, from an empty history, to an error no larger than a bound.
 struct TimeToQuality {
     double bound = 0.0;
@@ -40,16 +46,22 @@ struct Tradeoff {
     int width = 0;
     int height = 0;
     std::string precision;
+    bool warm = false;
     std::string metric;
     bool lower_is_better = true;
     SampleState state = SampleState::cold; ///< of the errors: converged where singles were replayed
     std::vector<TradeoffPoint> points;     ///< from fast to slow
-    /// One list a point, one entry a bound, the same bounds for all; empty without a burst.
+    /// One list a point, one entry of kQualitySteps, the same bounds for all; empty without a burst
+    /// that starts with an empty history.
     std::vector<std::vector<TimeToQuality>> to_quality;
 };
 
-/// One for every scene, walkthrough, target, size, precision and reference that has two cells or
-/// more with a time and an error. `metric` empty: the round's front_metric.
+/// The estimate's interval, or its extremes where it has none.
+[[nodiscard]] Interval get_bounds(const Estimate& estimate);
+
+/// One for every scene, walkthrough, target, size, precision, reference, start of histories and
+/// choice of frames that has two cells or more with a time and an error. `metric` empty: the
+/// round's front_metric.
 [[nodiscard]] std::vector<Tradeoff> compute_tradeoffs(const RunAnalysis& run,
                                                       const std::string& metric = {});
 

@@ -133,11 +133,11 @@ std::string describe_effects(const RoundAnalysis& round) {
         const auto cell = std::find_if(
             round.cells.begin(), round.cells.end(),
             [&saving](const CellAnalysis& other) { return other.cell.id == saving.cell; });
-        text += fmt::format(" {}: {:.3f} [{:.3f}, {:.3f}] (n={}) of the time with all effects, "
-                            "images within {:.2f}/255.",
-                            cell == round.cells.end() ? saving.cell : cell->cell.label,
-                            saving.ratio, saving.lower, saving.upper, saving.n,
-                            255.0 * saving.largest_difference);
+        text +=
+            fmt::format(" {}: {:.3f} [{:.3f}, {:.3f}] (n={}) of the time with all effects, "
+                        "images within {:.2f}/255.",
+                        cell == round.cells.end() ? saving.cell : cell->cell.label, saving.ratio,
+                        saving.lower, saving.upper, saving.n, 255.0 * saving.largest_difference);
     }
     return text;
 }

@@ -1,50 +1,16 @@
 #include "reports/csv/summary_csv.hpp"
 
 #include "core/base/file.hpp"
-#include "core/base/text.hpp"
-#include "reports/record/csv.hpp"
+#include "reports/csv/csv_table.hpp"
 
 #include <algorithm>
 
 namespace alcove {
 namespace {
 
-/// Names and fields are made by the same calls, so that they cannot come apart.
-class Table {
+/// What only this table has.
+class SummaryTable : public CsvTable {
   public:
-    void begin_line() { m_lines.emplace_back(); }
-    void add(std::string column, std::string field) {
-        if (m_lines.size() == 1) {
-            m_columns.push_back(std::move(column));
-        }
-        m_lines.back().push_back(std::move(field));
-    }
-    void add(std::string column, std::optional<double> value) {
-        add(std::move(column), value ? format_number(*value) : std::string());
-    }
-    void add_count(std::string column, std::size_t value) {
-        add(std::move(column), std::to_string(value));
-    }
-    void add_flag(std::string column, bool value) {
-        add(std::move(column), std::string(value ? "1" : "0"));
-    }
-
-    void add_estimate(const std::string& name, const std::optional<Estimate>& estimate) {
-        const auto format = [&](double Estimate::*field) {
-            return estimate ? format_number((*estimate).*field) : std::string();
-        };
-        const auto format_end = [&](double Interval::*end) {
-            return estimate && estimate->interval ? format_number((*estimate->interval).*end)
-                                                  : std::string();
-        };
-        add(name, format(&Estimate::value));
-        add(name + "_lower95", format_end(&Interval::lower));
-        add(name + "_upper95", format_end(&Interval::upper));
-        add(name + "_min", format(&Estimate::minimum));
-        add(name + "_max", format(&Estimate::maximum));
-        add_count(name + "_n", estimate ? estimate->n : 0);
-    }
-
     void add_percentiles(const std::string& name, const std::optional<Percentiles>& percentiles) {
         add(name + "_p50_ms",
             percentiles ? std::optional<double>(percentiles->p50_ms) : std::nullopt);
@@ -75,19 +41,6 @@ class Table {
         add(name + "_max", get(&MetricAnalysis::maximum));
         add_count(name + "_n", number != nullptr ? number->frames : 0);
     }
-
-    [[nodiscard]] std::string make_text() const {
-        std::string text;
-        append_csv_line(text, m_columns);
-        for (const std::vector<std::string>& line : m_lines) {
-            append_csv_line(text, line);
-        }
-        return text;
-    }
-
-  private:
-    std::vector<std::string> m_columns;
-    std::vector<std::vector<std::string>> m_lines;
 };
 
 std::string name_role(CellRole role) {
@@ -115,7 +68,7 @@ struct MetricNames {
     std::vector<std::string> history;
 };
 
-void add_line(Table& table, const RunAnalysis& analysis, const RoundAnalysis& round,
+void add_line(SummaryTable& table, const RunAnalysis& analysis, const RoundAnalysis& round,
               const CellAnalysis& cell, const MetricNames& metrics) {
     table.begin_line();
     table.add_count("schema", kRunSchemaVersion);
@@ -170,7 +123,7 @@ std::string make_summary_csv(const RunAnalysis& analysis) {
     const MetricNames metrics = {list_metrics(analysis, &RoundAnalysis::metrics),
                                  list_metrics(analysis, &RoundAnalysis::temporal_metrics),
                                  list_metrics(analysis, &RoundAnalysis::history_numbers)};
-    Table table;
+    SummaryTable table;
     for (const RoundAnalysis& round : analysis.rounds) {
         for (const CellAnalysis& cell : round.cells) {
             add_line(table, analysis, round, cell, metrics);

@@ -9,6 +9,7 @@
 #include "reports/html/page_head.hpp"
 #include "reports/html/pictures.hpp"
 #include "reports/html/round_section.hpp"
+#include "reports/html/tradeoff_section.hpp"
 #include "reports/html/web_files.hpp"
 
 #include <algorithm>
@@ -76,11 +77,14 @@ std::string make_header(const RunAnalysis& analysis, bool in_progress) {
         escape_html(analysis.context.started_utc), make_fitness(analysis));
 }
 
-std::string make_navigation(const RunAnalysis& analysis) {
+std::string make_navigation(const RunAnalysis& analysis, bool has_tradeoff) {
     std::string text = "<nav aria-label=\"Sections\">";
     for (const RoundAnalysis& round : analysis.rounds) {
         text += fmt::format("<a href=\"#round-{}\">{}</a>", round.round.id,
                             escape_html(round.round.scene));
+    }
+    if (has_tradeoff) {
+        text += "<a href=\"#tradeoff\">Time against accuracy</a>";
     }
     if (!analysis.is_complete) {
         text += "<a href=\"#unfinished\">Not finished</a>";
@@ -115,8 +119,8 @@ std::string make_chart_notice() {
 
 std::string make_footer(const PictureFinder& finder) {
     std::string text = "<footer><p>This folder can be read without the program that made it:";
-    for (const char* file :
-         {"summary.csv", "samples.csv", "metrics.csv", "plan.json", "context.json"}) {
+    for (const char* file : {"summary.csv", "tradeoff.csv", "samples.csv", "metrics.csv",
+                             "plan.json", "context.json"}) {
         text += fmt::format(" <a href=\"{}\">{}</a>", finder.make_url(file), file);
     }
     return text + "</p></footer>\n";
@@ -128,13 +132,15 @@ void write_html_report(const RunFolder& run, const HtmlOptions& options) {
     const std::filesystem::path folder = options.out.empty() ? run.path() / "report" : options.out;
     const PictureFinder finder(run.path(), folder);
     const RunAnalysis analysis = analyze_run(run, options.provisional);
+    const std::string tradeoff = make_tradeoff_section(analysis);
     std::string page = make_page_head(analysis.plan.experiment, {true, true}, {"report.css"}) +
-                       make_header(analysis, options.in_progress) + make_navigation(analysis) +
-                       "<main>\n" + make_chart_notice();
+                       make_header(analysis, options.in_progress) +
+                       make_navigation(analysis, !tradeoff.empty()) + "<main>\n" +
+                       make_chart_notice();
     for (const RoundAnalysis& round : analysis.rounds) {
         page += make_round_section(analysis, round, finder);
     }
-    page += make_unfinished_section(analysis) + make_skipped_section(analysis) +
+    page += tradeoff + make_unfinished_section(analysis) + make_skipped_section(analysis) +
             make_environment_section(analysis) + make_definitions_section(analysis) + "</main>\n" +
             make_footer(finder) + make_script(analysis, finder) + "</body></html>\n";
     write_file_atomically(folder / "index.html", page);

@@ -1,5 +1,6 @@
 #include "reports/html/page_data.hpp"
 
+#include "reports/analysis/tradeoff.hpp"
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
 #include "reports/html/events.hpp"
@@ -24,8 +25,7 @@ Json make_ratio(const CellAnalysis& cell) {
     if (!cell.ratio) {
         return {};
     }
-    const Interval ends =
-        cell.ratio->interval.value_or(Interval{cell.ratio->minimum, cell.ratio->maximum});
+    const Interval ends = get_bounds(*cell.ratio);
     return {{"value", cell.ratio->value},
             {"lower", ends.lower},
             {"upper", ends.upper},
@@ -36,7 +36,13 @@ Json make_error(const MetricAnalysis* error) {
     if (error == nullptr) {
         return {};
     }
-    return {{"value", error->is_below_floor ? *error->floor : error->shown()},
+    const double value = error->is_below_floor ? *error->floor : error->shown();
+    // What is shown as the floor spreads nowhere that is known.
+    const Interval ends =
+        error->is_below_floor ? Interval{value, value} : get_bounds(error->content);
+    return {{"value", value},
+            {"lower", ends.lower},
+            {"upper", ends.upper},
             {"text", format_error(*error)},
             {"floor", make_optional(error->floor)},
             {"n", error->frames}};

@@ -39,8 +39,9 @@ std::string make_charts(const RoundAnalysis& round) {
     return fmt::format(
         "<div class=\"charts\" data-charts=\"{}\">\n"
         "<figure data-chart=\"scatter\"><figcaption>Time against error<small>Left "
-        "is faster. Bars: interval or extremes over repeats. Line: the "
-        "front.</small></figcaption></figure>\n"
+        "is faster. Bars: interval or extremes, of times over repeats, of errors over frames. "
+        "Line: "
+        "the front.</small></figcaption></figure>\n"
         "<figure data-chart=\"times\"><figcaption>Frame time<small>Envelope, cold; "
         "median over repeats, band "
         "min..max. Bursts side by side.</small></figcaption></figure>\n"

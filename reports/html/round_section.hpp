@@ -33,6 +33,9 @@ inline constexpr std::size_t kSeriesColors = 10;
 /// Class that gives an element a cell's colour: "series-3", or "series-anchor" for both anchors.
 [[nodiscard]] std::string get_series_class(const CellAnalysis& cell, std::size_t index);
 
+/// Markup of a label that can break between its parts.
+[[nodiscard]] std::string make_breakable(std::string_view label);
+
 /// A method's name with its colour; `index` is its position in the round, `badge` markup that
 /// stands behind the name.
 [[nodiscard]] std::string make_label(const CellAnalysis& cell, std::size_t index,

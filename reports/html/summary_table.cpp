@@ -142,17 +142,21 @@ std::string get_series_class(const CellAnalysis& cell, std::size_t index) {
                                                            : std::string("anchor"));
 }
 
-std::string make_label(const CellAnalysis& cell, std::size_t index, std::string_view badge) {
-    std::string label;
-    for (const char c : cell.cell.label) {
-        label += escape_html(std::string_view(&c, 1));
+std::string make_breakable(std::string_view label) {
+    std::string text;
+    for (const char c : label) {
+        text += escape_html(std::string_view(&c, 1));
         if (c == ':' || c == ',' || c == '@') {
-            label += "<wbr>"; // labels break between their parts
+            text += "<wbr>";
         }
     }
+    return text;
+}
+
+std::string make_label(const CellAnalysis& cell, std::size_t index, std::string_view badge) {
     return fmt::format(
         "<span class=\"cell-label\"><span class=\"swatch {}\"></span><span>{}{}</span></span>",
-        get_series_class(cell, index), label, badge);
+        get_series_class(cell, index), make_breakable(cell.cell.label), badge);
 }
 
 std::string make_summary_table(const RunAnalysis& analysis, const RoundAnalysis& round) {

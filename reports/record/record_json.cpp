@@ -140,7 +140,8 @@ class Reader {
             const auto name = std::find(names.begin(), names.end(),
                                         json.is_string() ? json.get<std::string>() : "");
             if (name == names.end()) {
-                fail(path, "unknown " + path.substr(path.rfind('.') + 1), json.dump().substr(0, 80), join(names));
+                fail(path, "unknown " + path.substr(path.rfind('.') + 1), json.dump().substr(0, 80),
+                     join(names));
             }
             value = static_cast<T>(name - names.begin());
         } else if constexpr (std::is_same_v<T, bool>) {

@@ -66,9 +66,8 @@ std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& rou
                        clean_text(round.round.target), clean_text(round.round.reference.label),
                        align_columns(lines),
                        effects.empty() ? "" : "  " + clean_text(effects) + "\n",
-                       clean_text(describe_verdict(round)),
-                       clean_text(describe_noise(round)), clean_text(describe_floor(round)),
-                       make_time_table(round));
+                       clean_text(describe_verdict(round)), clean_text(describe_noise(round)),
+                       clean_text(describe_floor(round)), make_time_table(round));
 }
 
 } // namespace

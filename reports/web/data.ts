@@ -1,7 +1,8 @@
 // The shape of the JSON inside the page (reports/html/page_data.cpp writes it).
 
 export interface Ratio { value: number; lower: number; upper: number; text: string }
-export interface CellError { value: number; text: string; floor: number | null; n: number }
+/** `lower` and `upper`: how it spreads over content */
+export interface CellError { value: number; lower: number; upper: number; text: string; floor: number | null; n: number }
 export interface Cell {
   id: string;
   label: string;

@@ -1,4 +1,4 @@
-// Time against error: one point a method, bars for the ratio's interval, the front as a line.
+// Time against error: one point a method, bars for the intervals of ratio and error, the front as a line.
 
 import uPlot from "uplot";
 import type { Cell, CellError, Metric, Ratio, Round } from "./data";
@@ -132,6 +132,12 @@ function drawPoints(plot: uPlot, points: Point[], metric: Metric, theme: Theme):
       ctx.moveTo(end, y - 5 * scale);
       ctx.lineTo(end, y + 5 * scale);
     }
+    for (const end of [toY(point.error.lower), toY(point.error.upper)]) {
+      ctx.moveTo(x, y);
+      ctx.lineTo(x, end);
+      ctx.moveTo(x - 5 * scale, end);
+      ctx.lineTo(x + 5 * scale, end);
+    }
     ctx.stroke();
     ctx.beginPath();
     ctx.arc(x, y, radius, 0, 2 * Math.PI);
@@ -211,8 +217,9 @@ export function makeScatter(figure: HTMLElement, round: Round): void {
     const times = points.flatMap((p) => [p.ratio.lower, p.ratio.upper]);
     const values = points.map((p) => p.error.value);
     const xRange = padRange(0, Math.max(1, ...times));
-    const lowest = metric.lowerIsBetter ? 0 : Math.min(...values);
-    const yRange = points.length === 0 ? ([0, 1] as [number, number]) : padRange(lowest, Math.max(...values));
+    const ends = points.flatMap((p) => [p.error.value, p.error.lower, p.error.upper]);
+    const lowest = Math.min(...ends, ...(metric.lowerIsBetter ? [0] : []));
+    const yRange = points.length === 0 ? ([0, 1] as [number, number]) : padRange(lowest, Math.max(...ends));
     const plot = slot.show(
       {
         height: 360,

@@ -3,6 +3,7 @@
 
 #include "core/base/error.hpp"
 #include "reports/csv/summary_csv.hpp"
+#include "reports/csv/tradeoff_csv.hpp"
 #include "reports/html/html_report.hpp"
 #include "tests/reports/synthetic_run.hpp"
 
@@ -18,6 +19,7 @@ int main(int argc, char** argv) {
         const std::filesystem::path folder = argv[1];
         const RunFolder complete = synthetic::write_run(folder / "complete", {.images = true});
         write_summary_csv(complete, analyze_run(complete));
+        write_tradeoff_csv(complete, analyze_run(complete));
         write_html_report(complete, {});
         const RunFolder hostile = synthetic::write_run(
             folder / "hostile", {.finished_rounds = 1, .hostile = true, .images = true});
