@@ -501,17 +501,4 @@ RunFolder write_run(const fs::path& path, const Options& options) {
     return RunFolder::open(path);
 }
 
-TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "alcove-reports-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr) {
-        throw std::runtime_error("no temporary folder");
-    }
-    m_path = pattern;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code error;
-    fs::remove_all(m_path, error);
-}
-
 } // namespace alcove::synthetic

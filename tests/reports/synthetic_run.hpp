@@ -3,6 +3,7 @@
 // hand.
 
 #include "reports/record/record.hpp"
+#include "tests/harness/temporary_folder.hpp"
 
 #include <filesystem>
 #include <string>
@@ -54,17 +55,6 @@ inline constexpr int kHeldFrames = 4;
 /// Writes all of it and returns the opened folder.
 RunFolder write_run(const std::filesystem::path& path, const Options& options);
 
-/// A new empty folder under the system's temporary folder, removed at the end.
-class TemporaryFolder {
-  public:
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
-
-  private:
-    std::filesystem::path m_path;
-};
+using alcove::TemporaryFolder;
 
 } // namespace alcove::synthetic

@@ -1,6 +1,7 @@
 #include "core/base/file.hpp"
 
 #include "core/base/error.hpp"
+#include "tests/harness/temporary_folder.hpp"
 
 #include <cstdlib>
 #include <fstream>
@@ -18,12 +19,8 @@ namespace fs = std::filesystem;
 
 class FileTest : public testing::Test {
   protected:
-    FileTest() {
-        std::string name = (fs::temp_directory_path() / "alcove-file-XXXXXX").string();
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~FileTest() override { fs::remove_all(m_folder); }
-    fs::path m_folder;
+    TemporaryFolder m_own;
+    const fs::path& m_folder = m_own.path();
 };
 
 TEST_F(FileTest, WritesAndReadsBack) {

@@ -2,6 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/base/image.hpp"
 #include "core/base/image_file.hpp"
+#include "tests/harness/temporary_folder.hpp"
 
 #include <cmath>
 #include <cstdlib>
@@ -17,12 +18,8 @@ namespace fs = std::filesystem;
 
 class ImageFileTest : public testing::Test {
   protected:
-    ImageFileTest() {
-        std::string name = (fs::temp_directory_path() / "alcove-image-XXXXXX").string();
-        m_folder = ::mkdtemp(name.data());
-    }
-    ~ImageFileTest() override { fs::remove_all(m_folder); }
-    fs::path m_folder;
+    TemporaryFolder m_own;
+    const fs::path& m_folder = m_own.path();
 };
 
 Image make_gradient(int channels) {
