@@ -11,7 +11,35 @@
 namespace alcove {
 namespace {
 
-void check_mesh(const Mesh& mesh, std::string_view where) {
+bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check_clusters(const Mesh& mesh, const std::string& place) {
+    std::size_t next = 0;
+    for (const Cluster& cluster : mesh.clusters) {
+        if (cluster.first_index != next || cluster.index_count == 0 ||
+            cluster.index_count % 3 != 0 || cluster.index_count > mesh.indices.size() - next) {
+            throw InputError(place, "clusters do not follow each other",
+                             "cluster at index " + std::to_string(cluster.first_index));
+        }
+        next += cluster.index_count;
+    }
+    if (!mesh.clusters.empty() && next != mesh.indices.size()) {
+        throw InputError(place, "clusters leave triangles out", std::to_string(next) + " indices",
+                         std::to_string(mesh.indices.size()));
+    }
+}
+
+/// Values a vertex that a mesh may have: none or as many as positions.
+void check_count(std::size_t count, const Mesh& mesh, const std::string& place, const char* what) {
+    if (count != 0 && count != mesh.positions.size()) {
+        throw InputError(place, std::string("needs one ") + what + " a position or none",
+                         std::to_string(count), std::to_string(mesh.positions.size()));
+    }
+}
+
+void check_mesh(const Mesh& mesh, std::size_t texture_count, std::string_view where) {
     const std::string place = std::string(where) + ", mesh " + mesh.name;
     if (mesh.positions.empty() || mesh.indices.empty() || mesh.indices.size() % 3 != 0) {
         throw InputError(place, "needs positions and whole triangles",
@@ -29,13 +57,33 @@ void check_mesh(const Mesh& mesh, std::string_view where) {
         }
     }
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-        const glm::vec3 p = mesh.positions[i];
-        const bool finite = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
         const float length = glm::length(mesh.normals[i]);
-        if (!finite || !(std::abs(length - 1.0f) < 1e-3f)) {
+        if (!is_finite(mesh.positions[i]) || !(std::abs(length - 1.0f) < 1e-3f)) {
             throw InputError(place, "position not finite or normal not of unit length at vertex " +
                                         std::to_string(i));
         }
+    }
+    check_count(mesh.colors.size(), mesh, place, "color");
+    check_count(mesh.texture_coordinates.size(), mesh, place, "texture coordinate");
+    if (mesh.texture && (*mesh.texture >= texture_count || mesh.texture_coordinates.empty())) {
+        throw InputError(place, "names a texture out of range or lacks texture coordinates");
+    }
+    check_clusters(mesh, place);
+}
+
+void check_textures(const Scene& scene, std::string_view where) {
+    for (const Texture& texture : scene.get_textures()) {
+        if (texture.size.width < 1 || texture.size.height < 1 ||
+            texture.rgb.size() != 3 * texture.size.pixel_count()) {
+            throw InputError(where, "texture " + texture.name + " has the wrong number of pixels");
+        }
+    }
+}
+
+template <class Vector>
+void add(Hasher& hasher, const Vector& vector) {
+    for (int i = 0; i < 3; ++i) {
+        hasher.add(vector[i]);
     }
 }
 
@@ -78,6 +126,11 @@ void check_events(const Walkthrough& walkthrough, std::string_view where) {
 
 } // namespace
 
+Deformation Scene::deform(std::size_t /*object*/, double /*time_s*/) const {
+    ALCOVE_ASSERT(false, "an object that deforms");
+    return {};
+}
+
 SceneSize count_size(const Scene& scene) {
     SceneSize size;
     for (const Object& object : scene.get_objects()) {
@@ -88,18 +141,40 @@ SceneSize count_size(const Scene& scene) {
     return size;
 }
 
-std::string hash_geometry(const Scene& scene, double time_s) {
+std::string hash_surfaces(const Scene& scene) {
     Hasher hasher;
     for (const Mesh& mesh : scene.get_meshes()) {
         hasher.add(mesh.positions.size()).add(mesh.indices.size());
+        hasher.add(mesh.colors.size()).add(mesh.texture_coordinates.size());
         hasher.add_bytes(std::as_bytes(std::span(mesh.positions)));
         hasher.add_bytes(std::as_bytes(std::span(mesh.normals)));
         hasher.add_bytes(std::as_bytes(std::span(mesh.indices)));
+        hasher.add_bytes(std::as_bytes(std::span(mesh.colors)));
+        hasher.add_bytes(std::as_bytes(std::span(mesh.texture_coordinates)));
+        hasher.add(mesh.texture ? *mesh.texture + 1 : 0);
+        add(hasher, mesh.albedo);
     }
+    for (const Texture& texture : scene.get_textures()) {
+        hasher.add(texture.size.width).add(texture.size.height);
+        hasher.add_bytes(std::as_bytes(std::span(texture.rgb)));
+    }
+    for (const Object& object : scene.get_objects()) {
+        hasher.add(object.mesh);
+    }
+    for (const DirectionalLight& light : scene.get_lights().directional) {
+        add(hasher, light.to_light);
+        add(hasher, light.irradiance);
+    }
+    add(hasher, scene.get_lights().ambient);
+    return hasher.finish_hex();
+}
+
+std::string hash_geometry(const Scene& scene, double time_s, std::string_view surfaces) {
+    Hasher hasher;
+    hasher.add(surfaces);
     const glm::dvec3 origin = scene.get_origin();
     const Pose pose = scene.compute_pose(time_s);
     for (std::size_t i = 0; i < scene.get_objects().size(); ++i) {
-        hasher.add(scene.get_objects()[i].mesh);
         glm::dmat4 matrix = pose.object_to_world[i];
         matrix[3] -= glm::dvec4(origin, 0.0);
         for (int column = 0; column < 4; ++column) {
@@ -107,13 +182,23 @@ std::string hash_geometry(const Scene& scene, double time_s) {
                 hasher.add(matrix[column][row]);
             }
         }
+        if (scene.get_objects()[i].motion == ObjectMotion::deforming) {
+            const Deformation deformation = scene.deform(i, time_s);
+            hasher.add_bytes(std::as_bytes(std::span(deformation.positions)));
+            hasher.add_bytes(std::as_bytes(std::span(deformation.normals)));
+        }
     }
     return hasher.finish_hex();
 }
 
+std::string hash_geometry(const Scene& scene, double time_s) {
+    return hash_geometry(scene, time_s, hash_surfaces(scene));
+}
+
 void check_scene(const Scene& scene, std::string_view where) {
+    check_textures(scene, where);
     for (const Mesh& mesh : scene.get_meshes()) {
-        check_mesh(mesh, where);
+        check_mesh(mesh, scene.get_textures().size(), where);
     }
     if (scene.get_objects().empty()) {
         throw InputError(where, "has no objects");

@@ -15,9 +15,31 @@
 #include <vector>
 
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace alcove {
+
+/// A picture on a surface: 8-bit sRGB codes, row 0 on top (at texture coordinate v = 0, as glTF),
+/// repeated over the plane.
+struct Texture {
+    std::string name;
+    ImageSize size;
+    std::vector<std::uint8_t> rgb; ///< three a pixel, rows without padding
+};
+
+/// Triangles of one mesh that lie together: what culling keeps or leaves out.
+struct Cluster {
+    std::uint32_t first_index = 0; ///< into Mesh::indices, a multiple of 3
+    std::uint32_t index_count = 0; ///< a positive multiple of 3
+    glm::vec3 low{0.0f};           ///< bounding box, object space; holds every vertex exactly
+    glm::vec3 high{0.0f};
+    /// The cluster shows only back faces to every eye e with dot(normalize(cone_apex - e),
+    /// cone_axis) >= cone_cutoff. A cutoff of 1 or more says that there is no such cone.
+    glm::vec3 cone_apex{0.0f};
+    glm::vec3 cone_axis{0.0f, 0.0f, 1.0f};
+    float cone_cutoff = 1.0f;
+};
 
 /// Triangles in object space with one material.
 struct Mesh {
@@ -26,12 +48,36 @@ struct Mesh {
     std::vector<glm::vec3> normals;     ///< unit, one a position: shading normals
     std::vector<std::uint32_t> indices; ///< three a triangle, counter-clockwise seen from outside
     glm::vec3 albedo{0.8f};             ///< linear Rec. 709 reflectance in [0,1]
+    std::vector<glm::vec3> colors; ///< none, or factors of the albedo, one a position, in [0,1]
+    std::vector<glm::vec2> texture_coordinates; ///< none, or one a position
+    /// Index into Scene::get_textures; its linear value is a factor of the albedo. Needs texture
+    /// coordinates.
+    std::optional<std::size_t> texture;
+    /// True promises one or more closed solids, counter-clockwise seen from outside: an eye outside
+    /// of them never sees a back face.
+    bool closed = false;
+    /// None (the mesh is one cluster), or a partition of `indices` in ascending order.
+    std::vector<Cluster> clusters;
+};
+
+/// How an object may change over the walkthrough.
+enum class ObjectMotion {
+    still,    ///< a promise: one transform at all times
+    rigid,    ///< its transform may change
+    deforming ///< its vertices may change as well: Scene::deform gives them
 };
 
 /// One placed mesh. Its transform at a time is in Pose.
 struct Object {
     std::string name;
     std::size_t mesh = 0; ///< index into Scene::get_meshes
+    ObjectMotion motion = ObjectMotion::rigid;
+};
+
+/// The vertices of a deforming object at one time, in place of its mesh's and as many.
+struct Deformation {
+    std::vector<glm::vec3> positions; ///< object space, metres
+    std::vector<glm::vec3> normals;   ///< unit
 };
 
 /// Where every object is at one time, in the order of Scene::get_objects. Affine, double: world may
@@ -94,6 +140,7 @@ class Scene {
 
     [[nodiscard]] virtual std::span<const Mesh> get_meshes() const = 0;
     [[nodiscard]] virtual std::span<const Object> get_objects() const = 0;
+    [[nodiscard]] virtual std::span<const Texture> get_textures() const { return {}; }
     [[nodiscard]] virtual const Lights& get_lights() const = 0;
     [[nodiscard]] virtual const Walkthrough& get_walkthrough() const = 0;
     /// Radius of interest of ambient occlusion in metres: the default of a run's target.
@@ -102,7 +149,10 @@ class Scene {
     /// camera in double.
     [[nodiscard]] virtual glm::dvec3 get_origin() const { return glm::dvec3(0.0); }
     [[nodiscard]] virtual Pose compute_pose(double time_s) const = 0;
-    /// True if compute_pose does not depend on the time: a BVH is built once.
+    /// The vertices of a deforming object (an index into get_objects). From the time alone, so that
+    /// asking for t and t - 1 gives exact motion. Asserts that the object deforms.
+    [[nodiscard]] virtual Deformation deform(std::size_t object, double time_s) const;
+    /// True if neither compute_pose nor deform depends on the time: a BVH is built once.
     [[nodiscard]] virtual bool is_static() const { return true; }
 };
 
@@ -131,14 +181,20 @@ struct SceneSize {
 };
 [[nodiscard]] SceneSize count_size(const Scene& scene);
 
-/// Content hash of meshes, objects, lights, the pose at `time_s` and nothing else: what decides a
-/// reference besides camera and target. Relative to the scene's origin, so a scene moved as a whole
-/// keeps its hash.
+/// Content hash of what does not change with time: meshes, textures, objects and lights.
+[[nodiscard]] std::string hash_surfaces(const Scene& scene);
+
+/// `surfaces` (hash_surfaces) with the pose and the deformations at `time_s` and nothing else: with
+/// the camera, what decides a G-buffer and a reference. Relative to the scene's origin, so a scene
+/// moved as a whole keeps its hash.
+[[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s,
+                                        std::string_view surfaces);
 [[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s);
 
 /// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite,
-/// normals are unit within 1e-3, the walkthrough has a frame and valid cameras, cuts and events are
-/// ascending and in range, and every track names an object once.
+/// clusters partition their mesh, textures exist, normals are unit within 1e-3, the walkthrough has
+/// a frame and valid cameras, cuts and events are ascending and in range, and every track names an
+/// object once.
 void check_scene(const Scene& scene, std::string_view where);
 
 } // namespace alcove

@@ -14,8 +14,14 @@ PosedGeometry pose_geometry(const Scene& scene, double time_s) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
         glm::dmat4 matrix = pose.object_to_world[i];
         matrix[3] -= glm::dvec4(geometry.origin, 0.0);
-        geometry.objects.push_back({&scene.get_meshes()[objects[i].mesh], glm::mat4(matrix),
-                                    static_cast<std::uint32_t>(i + 1)});
+        PosedObject& posed = geometry.objects.emplace_back();
+        posed.mesh = &scene.get_meshes()[objects[i].mesh];
+        posed.motion = objects[i].motion;
+        if (objects[i].motion == ObjectMotion::deforming) {
+            posed.deformation = scene.deform(i, time_s);
+        }
+        posed.origin_from_object = glm::mat4(matrix);
+        posed.instance_id = static_cast<std::uint32_t>(i + 1);
     }
     return geometry;
 }

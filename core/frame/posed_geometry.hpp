@@ -5,6 +5,7 @@
 
 #include "core/contract/scene.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,17 @@ namespace alcove {
 
 struct PosedObject {
     const Mesh* mesh = nullptr;
-    glm::mat4 origin_from_object{1.0f}; ///< composed in double, then rounded
-    std::uint32_t instance_id = 0;      ///< as in the G-buffer: index of the object + 1
+    ObjectMotion motion = ObjectMotion::rigid;
+    std::optional<Deformation> deformation; ///< replaces the mesh's vertices if it deforms
+    glm::mat4 origin_from_object{1.0f};     ///< composed in double, then rounded
+    std::uint32_t instance_id = 0;          ///< as in the G-buffer: index of the object + 1
+
+    [[nodiscard]] std::span<const glm::vec3> positions() const {
+        return deformation ? deformation->positions : mesh->positions;
+    }
+    [[nodiscard]] std::span<const glm::vec3> normals() const {
+        return deformation ? deformation->normals : mesh->normals;
+    }
 };
 
 struct PosedGeometry {

@@ -18,7 +18,10 @@ const std::string& GeometryHash::get(const Scene& scene, double time_s) {
     const bool is_known =
         m_scene == &scene && (scene.is_static() || m_time_s == time_s) && !m_hash.empty();
     if (!is_known) {
-        m_hash = hash_geometry(scene, time_s);
+        if (m_scene != &scene || m_surfaces.empty()) {
+            m_surfaces = hash_surfaces(scene);
+        }
+        m_hash = hash_geometry(scene, time_s, m_surfaces);
         m_scene = &scene;
         m_time_s = time_s;
     }

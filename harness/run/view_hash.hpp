@@ -16,6 +16,7 @@ class GeometryHash {
   private:
     const Scene* m_scene = nullptr;
     double m_time_s = 0.0;
+    std::string m_surfaces; ///< hash_surfaces of m_scene
     std::string m_hash;
 };
 

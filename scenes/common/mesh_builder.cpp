@@ -81,6 +81,27 @@ void MeshBuilder::add_quad(std::uint32_t a, std::uint32_t b, std::uint32_t c, st
     add_triangle(a, c, d);
 }
 
+bool MeshBuilder::is_closed() const {
+    std::vector<std::uint64_t> edges;
+    std::vector<std::uint64_t> opposite;
+    edges.reserve(3 * m_triangles.size());
+    opposite.reserve(3 * m_triangles.size());
+    double volume = 0.0;
+    const auto join = [](std::uint64_t from, std::uint64_t to) { return from << 32u | to; };
+    for (const std::array<std::uint32_t, 3>& triangle : m_triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            edges.push_back(join(triangle[i], triangle[(i + 1) % 3]));
+            opposite.push_back(join(triangle[(i + 1) % 3], triangle[i]));
+        }
+        volume += glm::dot(m_points[triangle[0]],
+                           glm::cross(m_points[triangle[1]], m_points[triangle[2]]));
+    }
+    std::sort(edges.begin(), edges.end());
+    std::sort(opposite.begin(), opposite.end());
+    const bool is_manifold = std::adjacent_find(edges.begin(), edges.end()) == edges.end();
+    return is_manifold && edges == opposite && volume > 0.0;
+}
+
 Mesh MeshBuilder::finish(std::string name, const glm::vec3& albedo, double crease_degrees) const {
     ALCOVE_ASSERT(!m_triangles.empty(), "a mesh has triangles");
     ALCOVE_ASSERT(crease_degrees >= 0.0 && crease_degrees <= 180.0, "a crease angle in degrees");
@@ -99,6 +120,7 @@ Mesh MeshBuilder::finish(std::string name, const glm::vec3& albedo, double creas
     Mesh mesh;
     mesh.name = std::move(name);
     mesh.albedo = albedo;
+    mesh.closed = is_closed();
     mesh.indices.resize(m_triangles.size() * 3);
     for (std::size_t point = 0; point < m_points.size(); ++point) {
         std::vector<std::pair<glm::dvec3, std::uint32_t>> made;

@@ -32,11 +32,14 @@ class MeshBuilder {
     /// Normals are averages, weighted by the angle at the corner, over the adjacent faces that are
     /// turned less than `crease_degrees` (in [0,180]) away from the corner's own face: 0 gives flat
     /// faces, 180 a smooth surface with one vertex a point. Points without triangles are dropped.
-    /// Asserts that there is a triangle.
+    /// `closed` is set if every edge joins two triangles that turn the same way and the mesh
+    /// encloses a positive volume. Asserts that there is a triangle.
     [[nodiscard]] Mesh finish(std::string name, const glm::vec3& albedo,
                               double crease_degrees) const;
 
   private:
+    [[nodiscard]] bool is_closed() const;
+
     std::vector<glm::dvec3> m_points;
     std::vector<std::array<std::uint32_t, 3>> m_triangles;
 };

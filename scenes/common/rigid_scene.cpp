@@ -13,7 +13,7 @@ RigidScene::RigidScene(RigidSceneContent content) : m_content(std::move(content)
     ALCOVE_ASSERT(m_content.transforms.size() == m_content.objects.size(),
                   "one transform an object");
     const std::vector<ObjectTrack>& tracks = m_content.walkthrough.tracks;
-    for (const Object& object : m_content.objects) {
+    for (Object& object : m_content.objects) {
         ALCOVE_ASSERT(object.mesh < m_content.meshes.size(), "an object of a mesh that exists");
         const auto track =
             std::find_if(tracks.begin(), tracks.end(),
@@ -22,6 +22,8 @@ RigidScene::RigidScene(RigidSceneContent content) : m_content(std::move(content)
         if (track != tracks.end()) {
             m_tracks.back() = static_cast<std::size_t>(track - tracks.begin());
         }
+        const bool moves = track != tracks.end() && has_two_places(*track);
+        object.motion = moves ? ObjectMotion::rigid : ObjectMotion::still;
     }
     m_is_static = std::none_of(tracks.begin(), tracks.end(), has_two_places);
     for (Camera& camera : m_content.walkthrough.cameras) {

@@ -13,7 +13,8 @@ namespace alcove {
 /// All that makes a rigid scene, relative to `origin`.
 struct RigidSceneContent {
     std::vector<Mesh> meshes;
-    std::vector<Object> objects;
+    std::vector<Texture> textures;
+    std::vector<Object> objects;        ///< `motion` is found out from the tracks
     std::vector<glm::dmat4> transforms; ///< object to scene at rest, one an object
     Lights lights;
     Walkthrough walkthrough; ///< cameras and the pivots of tracks relative to the origin as well
@@ -33,6 +34,9 @@ class RigidScene final : public Scene {
 
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_content.meshes; }
     [[nodiscard]] std::span<const Object> get_objects() const override { return m_content.objects; }
+    [[nodiscard]] std::span<const Texture> get_textures() const override {
+        return m_content.textures;
+    }
     [[nodiscard]] const Lights& get_lights() const override { return m_content.lights; }
     [[nodiscard]] const Walkthrough& get_walkthrough() const override {
         return m_content.walkthrough;
