@@ -220,6 +220,7 @@ GltfDocument load_gltf(const fs::path& path) {
         throw InputError(document.file, "is not valid glTF: " + std::string(failure.what()));
     }
     if (!loaded || !error.empty()) {
+        std::replace(error.begin(), error.end(), '\n', ' ');
         throw InputError(document.file, "is not valid glTF: " + error);
     }
     std::size_t byte_count = bytes.size();

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -36,7 +37,10 @@ Texture decode_texture(std::span<const unsigned char> bytes, const std::string& 
     OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
-    const auto input = OIIO::ImageInput::open(name, &config, &memory);
+    // As a pointer in the configuration: with both, open() looks for a file of that name.
+    void* proxy = &memory;
+    config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+    const auto input = OIIO::ImageInput::open(name, &config);
     if (!input) {
         throw InputError(where, "image cannot be read: " + OIIO::geterror());
     }

@@ -290,7 +290,7 @@ TEST_F(GltfScene, RejectsAccessorsOutOfRange) {
     expect(R"("POSITION":0)", R"("POSITION":5)", "accessors[5]");
     expect(R"("POSITION":0)", R"("TEXCOORD_0":0)", "POSITION");
     expect(R"("type":"VEC3")",
-           R"("sparse":{"count":1,"indices":{"bufferView":1,"byteOffset":2,"componentType":5123},)"
+           R"("sparse":{"count":2,"indices":{"bufferView":1,"byteOffset":2,"componentType":5123},)"
            R"("values":{"bufferView":1}},"type":"VEC3")",
            "sparse.values");
 }
