@@ -54,6 +54,7 @@
     X(FINISH, Finish)                                                                              \
     X(FLUSH, Flush)                                                                                \
     X(FRONTFACE, FrontFace)                                                                        \
+    X(GENERATETEXTUREMIPMAP, GenerateTextureMipmap)                                                \
     X(GETERROR, GetError)                                                                          \
     X(GETINTEGER64V, GetInteger64v)                                                                \
     X(GETINTEGERV, GetIntegerv)                                                                    \
@@ -69,6 +70,7 @@
     X(GETUNIFORMLOCATION, GetUniformLocation)                                                      \
     X(LINKPROGRAM, LinkProgram)                                                                    \
     X(MEMORYBARRIER, MemoryBarrier)                                                                \
+    X(MULTIDRAWELEMENTSINDIRECT, MultiDrawElementsIndirect)                                        \
     X(NAMEDBUFFERSTORAGE, NamedBufferStorage)                                                      \
     X(NAMEDBUFFERSUBDATA, NamedBufferSubData)                                                      \
     X(NAMEDFRAMEBUFFERDRAWBUFFERS, NamedFramebufferDrawBuffers)                                    \
@@ -93,6 +95,8 @@
     X(USEPROGRAM, UseProgram)                                                                      \
     X(VERTEXARRAYATTRIBBINDING, VertexArrayAttribBinding)                                          \
     X(VERTEXARRAYATTRIBFORMAT, VertexArrayAttribFormat)                                            \
+    X(VERTEXARRAYATTRIBIFORMAT, VertexArrayAttribIFormat)                                          \
+    X(VERTEXARRAYBINDINGDIVISOR, VertexArrayBindingDivisor)                                        \
     X(VERTEXARRAYELEMENTBUFFER, VertexArrayElementBuffer)                                          \
     X(VERTEXARRAYVERTEXBUFFER, VertexArrayVertexBuffer)                                            \
     X(VIEWPORT, Viewport)

@@ -1,6 +1,7 @@
 #include "scenes/common/rigid_scene.hpp"
 
 #include "core/base/assert.hpp"
+#include "scenes/common/clusters.hpp"
 #include "scenes/common/object_motion.hpp"
 
 #include <algorithm>
@@ -24,6 +25,9 @@ RigidScene::RigidScene(RigidSceneContent content) : m_content(std::move(content)
         }
         const bool moves = track != tracks.end() && has_two_places(*track);
         object.motion = moves ? ObjectMotion::rigid : ObjectMotion::still;
+    }
+    for (Mesh& mesh : m_content.meshes) {
+        build_clusters(mesh);
     }
     m_is_static = std::none_of(tracks.begin(), tracks.end(), has_two_places);
     for (Camera& camera : m_content.walkthrough.cameras) {
