@@ -198,6 +198,7 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
     const bool reversed = gbuffer.precision().reversed;
     const glm::dmat4 projection = compute_projection(view.camera, view.size, reversed);
     m_counts = {};
+    clear(gbuffer);
     const FramePose pose = pose_frame(view);
     m_gl.Viewport(0, 0, view.size.width, view.size.height);
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
@@ -206,7 +207,6 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
     const VisibleSet visible = find_visible(view, pose, gbuffer.precision(), projection);
     m_counts.drawn = visible.triangles;
     m_counts.objects = visible.objects.size();
-    clear(gbuffer);
     // What stands still leaves the cleared motion alone. It comes first: a mover behind it then
     // fails the depth test, and one before it writes over the zero.
     const bool is_held = view.previous_time_s == view.time_s;
