@@ -139,7 +139,8 @@ bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& dire
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return false;
     }
-    TracedTriangle triangle = scene.get_triangle(query.hit);
+    TracedTriangle triangle =
+        scene.get_triangle({query.hit.instID[0], query.hit.geomID, query.hit.primID});
     const std::array<glm::vec3, 3>& corners = triangle.corners;
     std::array<glm::vec3, 3>& normals = triangle.normals;
     const std::array<float, 3> barycentric{1.0f - query.hit.u - query.hit.v, query.hit.u,

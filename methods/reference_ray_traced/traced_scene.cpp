@@ -5,11 +5,20 @@
 
 #include <algorithm>
 
+#include <embree3/rtcore.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 namespace alcove {
+
+void TracedScene::DeviceDeleter::operator()(RTCDeviceTy* device) const {
+    rtcReleaseDevice(device);
+}
+
+void TracedScene::SceneDeleter::operator()(RTCSceneTy* scene) const {
+    rtcReleaseScene(scene);
+}
 
 TracedScene::TracedScene(std::size_t instances_from)
     : m_instances_from(instances_from), m_device(rtcNewDevice(nullptr)) {
@@ -165,14 +174,14 @@ void TracedScene::update(const PosedGeometry& geometry) {
     commit(m_top.get());
 }
 
-TracedTriangle TracedScene::get_triangle(const RTCHit& hit) const {
-    const bool is_instance = hit.instID[0] != RTC_INVALID_GEOMETRY_ID;
-    const Instance* instance = is_instance ? &m_instances[hit.instID[0]] : nullptr;
-    const Surface& surface = is_instance ? instance->shared->surfaces[hit.geomID]
-                                         : m_direct[hit.geomID - m_instances.size()];
+TracedTriangle TracedScene::get_triangle(const TracedHit& hit) const {
+    const bool is_instance = hit.instance != RTC_INVALID_GEOMETRY_ID;
+    const Instance* instance = is_instance ? &m_instances[hit.instance] : nullptr;
+    const Surface& surface = is_instance ? instance->shared->surfaces[hit.geometry]
+                                         : m_direct[hit.geometry - m_instances.size()];
     TracedTriangle triangle;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t vertex = (*surface.indices)[std::size_t{3} * hit.primID + i];
+        const std::uint32_t vertex = (*surface.indices)[std::size_t{3} * hit.primitive + i];
         triangle.corners[i] = surface.positions[vertex];
         triangle.normals[i] = surface.normals[vertex];
         if (is_instance) {

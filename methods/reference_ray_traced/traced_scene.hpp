@@ -10,10 +10,20 @@
 #include <memory>
 #include <vector>
 
-#include <embree3/rtcore.h>
 #include <glm/mat3x3.hpp>
 
+// Embree's own types, whose header stays out of this one.
+struct RTCDeviceTy;
+struct RTCSceneTy;
+
 namespace alcove {
+
+/// Where a ray hit, in Embree's numbers.
+struct TracedHit {
+    unsigned instance = 0; ///< RTC_INVALID_GEOMETRY_ID outside of instances
+    unsigned geometry = 0;
+    unsigned primitive = 0;
+};
 
 /// The corners of a triangle and what lies on them, relative to the scene's origin.
 struct TracedTriangle {
@@ -35,16 +45,16 @@ class TracedScene {
     void update(const PosedGeometry& geometry);
 
     [[nodiscard]] bool is_built() const noexcept { return m_top != nullptr; }
-    [[nodiscard]] RTCScene top() const noexcept { return m_top.get(); }
+    [[nodiscard]] RTCSceneTy* top() const noexcept { return m_top.get(); }
     [[nodiscard]] const glm::dvec3& origin() const noexcept { return m_origin; }
-    [[nodiscard]] TracedTriangle get_triangle(const RTCHit& hit) const;
+    [[nodiscard]] TracedTriangle get_triangle(const TracedHit& hit) const;
 
   private:
     struct DeviceDeleter {
-        void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+        void operator()(RTCDeviceTy* device) const;
     };
     struct SceneDeleter {
-        void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+        void operator()(RTCSceneTy* scene) const;
     };
     using DeviceHandle = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
     using SceneHandle = std::unique_ptr<RTCSceneTy, SceneDeleter>;
@@ -69,9 +79,9 @@ class TracedScene {
 
     [[nodiscard]] static Surface place(const PosedObject& object);
     [[nodiscard]] SceneHandle make_tree() const;
-    void attach(RTCScene tree, const Surface& surface, unsigned id) const;
+    void attach(RTCSceneTy* tree, const Surface& surface, unsigned id) const;
     void add_instance(const Shared& shared, const glm::mat4& origin_from_part);
-    void commit(RTCScene tree) const;
+    void commit(RTCSceneTy* tree) const;
     void forget_other_scenes(const PosedGeometry& geometry);
     void build_still(const PosedGeometry& geometry, const std::vector<bool>& is_instance);
     [[nodiscard]] std::vector<bool> choose_instances(const PosedGeometry& geometry) const;

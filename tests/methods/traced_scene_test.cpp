@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include <embree3/rtcore.h>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -62,7 +63,8 @@ std::optional<Hit> trace(const TracedScene& scene, const glm::vec3& from, const 
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
     }
-    const TracedTriangle triangle = scene.get_triangle(query.hit);
+    const TracedTriangle triangle =
+        scene.get_triangle({query.hit.instID[0], query.hit.geomID, query.hit.primID});
     const float u = query.hit.u;
     const float v = query.hit.v;
     return Hit{query.ray.tfar,
