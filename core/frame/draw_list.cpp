@@ -100,15 +100,17 @@ void DrawList::build(const Scene& scene, SceneGeometry& geometry, const VisibleS
     }
 }
 
-void DrawList::draw(const SceneGeometry& geometry,
+void DrawList::draw(const SceneGeometry& geometry, FaceRule faces,
                     const std::function<void(const DrawGroup&)>& prepare) const {
     geometry.bind_instances(m_placements.buffer.get(), sizeof(Placement), m_motions.buffer.get(),
                             sizeof(Rows));
     m_gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.buffer.get());
-    m_gl.CullFace(GL_BACK);
+    m_gl.CullFace(faces == FaceRule::back ? GL_FRONT : GL_BACK);
     for (const DrawGroup& group : m_groups) {
         prepare(group);
-        (group.culls_back_faces ? m_gl.Enable : m_gl.Disable)(GL_CULL_FACE);
+        const bool culls =
+            faces == FaceRule::back || (faces == FaceRule::as_listed && group.culls_back_faces);
+        (culls ? m_gl.Enable : m_gl.Disable)(GL_CULL_FACE);
         m_gl.BindVertexArray(geometry.batch(group.batch).vertex_array.get());
         m_gl.MultiDrawElementsIndirect(
             GL_TRIANGLES, GL_UNSIGNED_INT,
@@ -116,6 +118,7 @@ void DrawList::draw(const SceneGeometry& geometry,
             static_cast<GLsizei>(group.command_count), 0);
     }
     m_gl.Disable(GL_CULL_FACE);
+    m_gl.CullFace(GL_BACK);
     m_gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 

@@ -29,6 +29,9 @@ struct DrawGroup {
     std::size_t command_count = 0;
 };
 
+/// Which faces are rasterised: those of each group's rule, all, or those seen from behind.
+enum class FaceRule { as_listed, both, back };
+
 class DrawList {
   public:
     explicit DrawList(const gl::Functions& gl) : m_gl(gl) {}
@@ -39,7 +42,7 @@ class DrawList {
                const std::function<bool(std::uint32_t object)>& includes);
     [[nodiscard]] bool empty() const noexcept { return m_groups.empty(); }
     /// Calls `prepare(group)` and draws, group by group.
-    void draw(const SceneGeometry& geometry,
+    void draw(const SceneGeometry& geometry, FaceRule faces,
               const std::function<void(const DrawGroup&)>& prepare) const;
 
   private:

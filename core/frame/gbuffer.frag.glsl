@@ -15,6 +15,10 @@ uniform int light_count;
 uniform vec3 light_direction[4];
 uniform vec3 light_irradiance[4];
 
+#ifdef PEELED
+layout(binding = 1) uniform sampler2D nearer_depth_texture;
+#endif
+
 const float kInversePi = 0.31830989;
 
 vec3 compute_direct_light(vec3 n, vec3 albedo) {
@@ -26,6 +30,12 @@ vec3 compute_direct_light(vec3 n, vec3 albedo) {
 }
 
 void main() {
+#ifdef PEELED
+    // A surface of the layer before has the very depth that is stored: it was interpolated alike.
+    if (eye_depth <= texelFetch(nearer_depth_texture, ivec2(gl_FragCoord.xy), 0).r) {
+        discard;
+    }
+#endif
     vec3 n = normalize(gl_FrontFacing ? view_normal : -view_normal);
     vec3 albedo = surface_albedo;
 #ifdef HAS_TEXTURE

@@ -19,7 +19,7 @@ layout(location = 11) in vec3 albedo;
 layout(location = 12) in uint instance_id;
 
 out vec3 view_normal;
-out float eye_depth;
+invariant out float eye_depth; // layers compare it between programs
 out vec3 motion;
 out vec3 surface_albedo;
 flat out uint surface_id;
@@ -28,6 +28,7 @@ out vec2 texture_coordinates;
 #endif
 
 uniform mat4 clip_from_view;
+invariant gl_Position;
 
 vec3 unpack_normal(vec2 square) {
     vec3 n = vec3(square, 1.0 - abs(square.x) - abs(square.y));

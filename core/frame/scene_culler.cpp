@@ -78,37 +78,36 @@ void SceneCuller::set_frame(const FramePose& pose) {
     }
 }
 
-bool SceneCuller::is_kept(const OrientedBox& box, const ViewVolume& volume,
-                          const std::optional<Hider>& hider) const {
-    if (!volume.may_show(box)) {
+bool SceneCuller::is_kept(const OrientedBox& box, const ViewVolume& volume, const Tests& tests) {
+    if (tests.tests_frustum && !volume.may_show(box)) {
         return false;
     }
-    if (!hider) {
-        return true;
-    }
-    const std::optional<ScreenBounds> bounds = volume.project(box);
+    const std::optional<ScreenBounds> bounds =
+        tests.hider ? volume.project(box) : std::optional<ScreenBounds>();
     if (!bounds) {
         return true;
     }
     const double margin =
-        compute_depth_margin(volume.camera(), hider->precision, bounds->nearest_m);
-    return !hider->pyramid.is_nearer(*bounds, bounds->nearest_m - margin);
+        compute_depth_margin(volume.camera(), tests.hider->precision, bounds->nearest_m);
+    return !tests.hider->pyramid.is_nearer(*bounds, bounds->nearest_m - margin);
 }
 
-void SceneCuller::add(std::uint32_t object, const ViewVolume& volume,
-                      const std::optional<Hider>* tests, VisibleSet& visible) const {
+void SceneCuller::add(std::uint32_t object, const ViewVolume& volume, const Tests& tests,
+                      VisibleSet& visible) const {
     const Item& item = m_items[object];
-    if (tests != nullptr && !is_kept(item.box, volume, *tests)) {
+    if (!is_kept(item.box, volume, tests)) {
         return;
     }
     const Object& placed = m_scene.get_objects()[object];
     const Mesh& mesh = m_scene.get_meshes()[placed.mesh];
     const bool culls_back_faces = item.is_one_sided && volume.is_beyond_near(item.box);
     const std::size_t first = visible.ranges.size();
-    if (tests == nullptr || mesh.clusters.empty() || placed.motion == ObjectMotion::deforming) {
+    if (!tests.tests_frustum || mesh.clusters.empty() || placed.motion == ObjectMotion::deforming) {
         visible.ranges.push_back({0, static_cast<std::uint32_t>(mesh.indices.size())});
     } else {
-        add_clusters(mesh, object, culls_back_faces, volume, *tests, visible);
+        Tests of_clusters = tests;
+        of_clusters.tests_cones = tests.tests_cones && culls_back_faces;
+        add_clusters(mesh, object, volume, of_clusters, visible);
     }
     if (visible.ranges.size() == first) {
         return;
@@ -120,16 +119,15 @@ void SceneCuller::add(std::uint32_t object, const ViewVolume& volume,
                                static_cast<std::uint32_t>(visible.ranges.size() - first)});
 }
 
-void SceneCuller::add_clusters(const Mesh& mesh, std::uint32_t object, bool culls_back_faces,
-                               const ViewVolume& volume, const std::optional<Hider>& hider,
-                               VisibleSet& visible) const {
+void SceneCuller::add_clusters(const Mesh& mesh, std::uint32_t object, const ViewVolume& volume,
+                               const Tests& tests, VisibleSet& visible) const {
     const glm::dmat4& world_from_object = m_pose->now.object_to_world[object];
     const glm::dvec3 eye(glm::inverse(world_from_object) *
                          glm::dvec4(volume.camera().position, 1.0));
     const std::size_t first = visible.ranges.size();
     for (const Cluster& cluster : mesh.clusters) {
-        if ((culls_back_faces && faces_away(cluster, eye)) ||
-            !is_kept(place_box(cluster.low, cluster.high, world_from_object), volume, hider)) {
+        if ((tests.tests_cones && faces_away(cluster, eye)) ||
+            !is_kept(place_box(cluster.low, cluster.high, world_from_object), volume, tests)) {
             continue;
         }
         const bool goes_on =
@@ -146,23 +144,31 @@ void SceneCuller::add_clusters(const Mesh& mesh, std::uint32_t object, bool cull
 VisibleSet SceneCuller::find_all(const ViewVolume& volume) const {
     VisibleSet visible;
     for (std::uint32_t i = 0; i < m_items.size(); ++i) {
-        add(i, volume, nullptr, visible);
+        add(i, volume, {false, false, std::nullopt}, visible);
+    }
+    return visible;
+}
+
+VisibleSet SceneCuller::find(const ViewVolume& volume, const Tests& tests) const {
+    ALCOVE_ASSERT(m_pose != nullptr, "set_frame before a question about the frame");
+    std::vector<std::uint32_t> candidates = m_moving;
+    m_tree.visit([&](const OrientedBox& box) { return is_kept(box, volume, tests); },
+                 [&](std::uint32_t item) { candidates.push_back(m_still[item]); });
+    std::sort(candidates.begin(), candidates.end());
+    VisibleSet visible;
+    for (const std::uint32_t object : candidates) {
+        add(object, volume, tests, visible);
     }
     return visible;
 }
 
 VisibleSet SceneCuller::find_visible(const ViewVolume& volume,
                                      const std::optional<Hider>& hider) const {
-    ALCOVE_ASSERT(m_pose != nullptr, "set_frame before find_visible");
-    std::vector<std::uint32_t> candidates = m_moving;
-    m_tree.visit([&](const OrientedBox& box) { return is_kept(box, volume, hider); },
-                 [&](std::uint32_t item) { candidates.push_back(m_still[item]); });
-    std::sort(candidates.begin(), candidates.end());
-    VisibleSet visible;
-    for (const std::uint32_t object : candidates) {
-        add(object, volume, &hider, visible);
-    }
-    return visible;
+    return find(volume, {true, true, hider});
+}
+
+VisibleSet SceneCuller::find_in_frustum(const ViewVolume& volume) const {
+    return find(volume, {true, false, std::nullopt});
 }
 
 VisibleSet SceneCuller::choose_hiders(const VisibleSet& visible, const ViewVolume& volume,

@@ -65,6 +65,8 @@ class SceneCuller {
     };
     [[nodiscard]] VisibleSet find_visible(const ViewVolume& volume,
                                           const std::optional<Hider>& hider) const;
+    /// What lies in the frustum, seen from either side.
+    [[nodiscard]] VisibleSet find_in_frustum(const ViewVolume& volume) const;
     /// Of a visible set, the objects that hide most for their triangles: by projected area a
     /// triangle, until `triangles` is used up.
     [[nodiscard]] VisibleSet choose_hiders(const VisibleSet& visible, const ViewVolume& volume,
@@ -75,14 +77,20 @@ class SceneCuller {
         OrientedBox box;
         bool is_one_sided = false; ///< closed and not mirrored
     };
+    /// What an object and its clusters have to pass.
+    struct Tests {
+        bool tests_frustum = true;
+        bool tests_cones = true;
+        std::optional<Hider> hider;
+    };
     void place(std::size_t object, const glm::dmat4& world_from_object);
-    [[nodiscard]] bool is_kept(const OrientedBox& box, const ViewVolume& volume,
-                               const std::optional<Hider>& hider) const;
-    void add(std::uint32_t object, const ViewVolume& volume, const std::optional<Hider>* tests,
+    [[nodiscard]] static bool is_kept(const OrientedBox& box, const ViewVolume& volume,
+                                      const Tests& tests);
+    void add(std::uint32_t object, const ViewVolume& volume, const Tests& tests,
              VisibleSet& visible) const;
-    void add_clusters(const Mesh& mesh, std::uint32_t object, bool culls_back_faces,
-                      const ViewVolume& volume, const std::optional<Hider>& hider,
-                      VisibleSet& visible) const;
+    void add_clusters(const Mesh& mesh, std::uint32_t object, const ViewVolume& volume,
+                      const Tests& tests, VisibleSet& visible) const;
+    [[nodiscard]] VisibleSet find(const ViewVolume& volume, const Tests& tests) const;
 
     const Scene& m_scene;
     struct MeshBox {

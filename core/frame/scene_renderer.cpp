@@ -17,6 +17,9 @@ namespace {
 constexpr std::size_t kHiderTriangles = 50'000;
 constexpr std::size_t kWorthHiding = 4 * kHiderTriangles;
 
+/// Texture unit of the depth that is peeled off; 0 is the albedo's.
+constexpr GLuint kNearerUnit = 1;
+
 /// One output a channel, in the order of the table, which is that of the framebuffer's attachments.
 std::string make_channel_outputs(ChannelSet channels) {
     std::string text;
@@ -58,12 +61,13 @@ const SceneRenderer::Pipeline& SceneRenderer::get_pipeline(const PipelineKey& ke
         return known->second;
     }
     Pipeline pipeline;
-    pipeline.program =
-        gl::build_program(m_gl, m_library,
-                          {{GL_VERTEX_SHADER, "core/frame/gbuffer.vert.glsl"},
-                           {GL_FRAGMENT_SHADER, "core/frame/gbuffer.frag.glsl"}},
-                          {{"channel_outputs.glsl", make_channel_outputs(key.first)},
-                           {"vertex_streams.glsl", make_stream_switches(key.second)}});
+    pipeline.program = gl::build_program(
+        m_gl, m_library,
+        {{GL_VERTEX_SHADER, "core/frame/gbuffer.vert.glsl"},
+         {GL_FRAGMENT_SHADER, "core/frame/gbuffer.frag.glsl"}},
+        {{"channel_outputs.glsl", make_channel_outputs(std::get<ChannelSet>(key)) +
+                                      (std::get<bool>(key) ? "#define PEELED\n" : "")},
+         {"vertex_streams.glsl", make_stream_switches(std::get<VertexStreams>(key))}});
     pipeline.clip_from_view = pipeline.program.location("clip_from_view");
     pipeline.previous_world_from_object = pipeline.program.location("previous_world_from_object");
     return m_pipelines.emplace(key, std::move(pipeline)).first->second;
@@ -123,16 +127,23 @@ FramePose SceneRenderer::pose_frame(const FrameView& view) {
 }
 
 VisibleSet SceneRenderer::find_visible(const FrameView& view, const FramePose& pose,
-                                       const Precision& precision, const glm::dmat4& projection) {
+                                       const GBuffer& gbuffer, const Pass& pass,
+                                       const glm::dmat4& projection) {
     const ViewVolume volume(view.camera, view.size);
     m_culler.set_frame(pose);
     if (m_culling == Culling::none) {
         return m_culler.find_all(volume);
     }
+    if (pass.faces != FaceRule::as_listed) {
+        return m_culler.find_in_frustum(volume);
+    }
     VisibleSet visible = m_culler.find_visible(volume, std::nullopt);
-    if (m_culling != Culling::occlusion || visible.triangles < kWorthHiding) {
+    // What covers a pixel's centre need not cover its samples.
+    if (m_culling != Culling::occlusion || visible.triangles < kWorthHiding ||
+        gbuffer.samples() > 1) {
         return visible;
     }
+    const Precision& precision = gbuffer.precision();
     const VisibleSet hiders = m_culler.choose_hiders(visible, volume, kHiderTriangles);
     m_counts.hiders = hiders.triangles;
     constexpr ChannelSet kDepthAlone{Channel::eye_depth};
@@ -144,7 +155,7 @@ VisibleSet SceneRenderer::find_visible(const FrameView& view, const FramePose& p
     }
     clear(*m_hider_depth);
     m_still.build(m_scene, m_geometry, hiders, pose, view.camera, [](auto) { return true; });
-    draw(m_still, kDepthAlone, m_hider_depth->framebuffer(), view.camera, projection);
+    draw(m_still, kDepthAlone, m_hider_depth->framebuffer(), view.camera, projection, {});
     std::vector<float> depth(view.size.pixel_count());
     m_gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
     m_gl.GetTextureImage(m_hider_depth->texture(Channel::eye_depth).get(), 0, GL_RED, GL_FLOAT,
@@ -154,15 +165,18 @@ VisibleSet SceneRenderer::find_visible(const FrameView& view, const FramePose& p
 }
 
 void SceneRenderer::draw(const DrawList& list, ChannelSet channels, GLuint framebuffer,
-                         const Camera& camera, const glm::dmat4& projection) {
+                         const Camera& camera, const glm::dmat4& projection, const Pass& pass) {
     if (list.empty()) {
         return;
     }
+    if (pass.nearer_depth != nullptr) {
+        m_gl.BindTextureUnit(kNearerUnit, pass.nearer_depth->get());
+    }
     m_gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     const Pipeline* last = nullptr;
-    list.draw(m_geometry, [&](const DrawGroup& group) {
+    list.draw(m_geometry, pass.faces, [&](const DrawGroup& group) {
         const VertexStreams& streams = m_geometry.batch(group.batch).streams;
-        const Pipeline& pipeline = get_pipeline({channels, streams});
+        const Pipeline& pipeline = get_pipeline({channels, streams, pass.nearer_depth != nullptr});
         if (&pipeline != last) {
             pipeline.program.use();
             const glm::mat4 rounded(projection);
@@ -194,6 +208,26 @@ void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const Camera& came
 }
 
 void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
+    render(gbuffer, view, {});
+}
+
+void SceneRenderer::render_layer(const GBuffer& gbuffer, const FrameView& view,
+                                 const GBuffer& nearer) {
+    ALCOVE_ASSERT(nearer.size() == gbuffer.size() && nearer.samples() == 1,
+                  "a nearer layer of the same pixels");
+    if (nearer.precision().eye_depth != EyeDepth::float32 ||
+        gbuffer.precision().eye_depth != EyeDepth::float32) {
+        throw InputError("layers", "cannot be peeled off a coarse eye depth",
+                         describe(nearer.precision()), "eye_depth=32F");
+    }
+    render(gbuffer, view, {FaceRule::both, &nearer.texture(Channel::eye_depth)});
+}
+
+void SceneRenderer::render_back_faces(const GBuffer& gbuffer, const FrameView& view) {
+    render(gbuffer, view, {FaceRule::back, nullptr});
+}
+
+void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view, const Pass& pass) {
     ALCOVE_ASSERT(gbuffer.size() == view.size, "a G-buffer of the frame's size");
     const bool reversed = gbuffer.precision().reversed;
     const glm::dmat4 projection = compute_projection(view.camera, view.size, reversed);
@@ -204,7 +238,7 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     m_gl.Enable(GL_DEPTH_TEST);
     m_gl.DepthFunc(reversed ? GL_GREATER : GL_LESS);
-    const VisibleSet visible = find_visible(view, pose, gbuffer.precision(), projection);
+    const VisibleSet visible = find_visible(view, pose, gbuffer, pass, projection);
     m_counts.drawn = visible.triangles;
     m_counts.objects = visible.objects.size();
     // What stands still leaves the cleared motion alone. It comes first: a mover behind it then
@@ -216,10 +250,11 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view) {
                            pose.now.object_to_world[object] == pose.before.object_to_world[object]);
     };
     m_still.build(m_scene, m_geometry, visible, pose, view.camera, stands);
-    draw(m_still, gbuffer.still_channels(), gbuffer.still_framebuffer(), view.camera, projection);
+    draw(m_still, gbuffer.still_channels(), gbuffer.still_framebuffer(), view.camera, projection,
+         pass);
     m_moving.build(m_scene, m_geometry, visible, pose, view.camera,
                    [&](std::uint32_t object) { return !stands(object); });
-    draw(m_moving, gbuffer.channels(), gbuffer.framebuffer(), view.camera, projection);
+    draw(m_moving, gbuffer.channels(), gbuffer.framebuffer(), view.camera, projection, pass);
     m_gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (gbuffer.rebuild_framebuffer() != 0) {
         rebuild_eye_depth(gbuffer, view.camera);

@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace alcove {
@@ -32,6 +33,12 @@ class SceneRenderer {
 
     /// Fills all channels of the G-buffer.
     void render(const GBuffer& gbuffer, const FrameView& view);
+    /// With what lies behind the surfaces of `nearer`, a G-buffer of the same view: depth peeling,
+    /// front and back faces alike. This work is based on: Everitt. Interactive order-independent
+    /// transparency. 2001. Throws InputError unless both keep eye depth as float32.
+    void render_layer(const GBuffer& gbuffer, const FrameView& view, const GBuffer& nearer);
+    /// With the nearest surfaces that are seen from behind.
+    void render_back_faces(const GBuffer& gbuffer, const FrameView& view);
     /// Of the last render.
     [[nodiscard]] const DrawCounts& counts() const noexcept { return m_counts; }
 
@@ -42,17 +49,24 @@ class SceneRenderer {
         GLint clip_from_view = -1;
         GLint previous_world_from_object = -1;
     };
-    using PipelineKey = std::pair<ChannelSet, VertexStreams>;
+    /// How a pass differs from that of the nearest surfaces.
+    struct Pass {
+        FaceRule faces = FaceRule::as_listed;
+        const gl::Texture* nearer_depth = nullptr; ///< of a peeled pass
+    };
+    using PipelineKey = std::tuple<ChannelSet, VertexStreams, bool>; ///< true: peeled
 
     const Pipeline& get_pipeline(const PipelineKey& key);
     void clear(const GBuffer& gbuffer) const;
     void set_lights(const Pipeline& pipeline, const Camera& camera) const;
     /// Where everything is, and on the GPU what deforms.
     [[nodiscard]] FramePose pose_frame(const FrameView& view);
+    void render(const GBuffer& gbuffer, const FrameView& view, const Pass& pass);
     [[nodiscard]] VisibleSet find_visible(const FrameView& view, const FramePose& pose,
-                                          const Precision& precision, const glm::dmat4& projection);
+                                          const GBuffer& gbuffer, const Pass& pass,
+                                          const glm::dmat4& projection);
     void draw(const DrawList& list, ChannelSet channels, GLuint framebuffer, const Camera& camera,
-              const glm::dmat4& projection);
+              const glm::dmat4& projection, const Pass& pass);
     void rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const;
 
     const gl::Functions& m_gl;

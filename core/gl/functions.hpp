@@ -81,6 +81,7 @@
     X(SHADERSOURCE, ShaderSource)                                                                  \
     X(TEXTUREPARAMETERI, TextureParameteri)                                                        \
     X(TEXTURESTORAGE2D, TextureStorage2D)                                                          \
+    X(TEXTURESTORAGE2DMULTISAMPLE, TextureStorage2DMultisample)                                    \
     X(TEXTURESUBIMAGE2D, TextureSubImage2D)                                                        \
     X(UNIFORM1F, Uniform1f)                                                                        \
     X(UNIFORM1I, Uniform1i)                                                                        \
