@@ -8,6 +8,7 @@ find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(SQLite3 REQUIRED)
+find_package(meshoptimizer REQUIRED)
 
 add_library(alcove_glm INTERFACE)
 target_compile_definitions(alcove_glm INTERFACE GLM_FORCE_XYZW_ONLY GLM_ENABLE_EXPERIMENTAL GLM_FORCE_CTOR_INIT)

@@ -23,9 +23,16 @@ FrameView make_frame_view(const Walkthrough& walkthrough, int index, ImageSize s
 }
 
 void detect_motion(const Scene& scene, FrameView& view) {
-    view.objects_may_move = view.time_s != view.previous_time_s && !scene.is_static() &&
-                            scene.compute_pose(view.time_s).object_to_world !=
-                                scene.compute_pose(view.previous_time_s).object_to_world;
+    view.objects_may_move = false;
+    if (view.time_s == view.previous_time_s || scene.is_static()) {
+        return;
+    }
+    const std::span<const Object> objects = scene.get_objects();
+    const bool deforms = std::any_of(objects.begin(), objects.end(), [](const Object& object) {
+        return object.motion == ObjectMotion::deforming;
+    });
+    view.objects_may_move = deforms || scene.compute_pose(view.time_s).object_to_world !=
+                                           scene.compute_pose(view.previous_time_s).object_to_world;
 }
 
 Border make_border(ImageSize size, double fraction) {

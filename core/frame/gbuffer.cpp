@@ -1,5 +1,7 @@
 #include "core/frame/gbuffer.hpp"
 
+#include "core/base/error.hpp"
+
 #include <vector>
 
 namespace alcove {
@@ -30,9 +32,16 @@ GLenum get_format(const ChannelInfo& info, const Precision& precision) {
 } // namespace
 
 GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
-                 const Precision& precision)
-    : m_size(size), m_channels(channels), m_precision(precision),
-      m_raster_depth(gl, get_raster_format(precision.raster_depth), size) {
+                 const Precision& precision, int samples)
+    : m_size(size), m_channels(channels), m_precision(precision), m_samples(samples) {
+    if (samples > 1 && precision.eye_depth == EyeDepth::from_raster) {
+        throw InputError("multisampling", "eye depth cannot be rebuilt a sample",
+                         "eye_depth=raster", "eye_depth=32F or 16F");
+    }
+    const auto make_texture = [&](GLenum format) {
+        return samples > 1 ? gl::Texture(gl, format, size, samples) : gl::Texture(gl, format, size);
+    };
+    m_raster_depth = make_texture(get_raster_format(precision.raster_depth));
     std::vector<const gl::Texture*> targets;
     std::vector<const gl::Texture*> still_targets;
     for (const ChannelInfo& info : kChannels) {
@@ -40,7 +49,7 @@ GBuffer::GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
             continue;
         }
         gl::Texture& texture = m_textures.at(static_cast<std::size_t>(info.channel));
-        texture = gl::Texture(gl, get_format(info, precision), size);
+        texture = make_texture(get_format(info, precision));
         targets.push_back(&texture);
         if (info.channel != Channel::motion) {
             still_targets.push_back(&texture);

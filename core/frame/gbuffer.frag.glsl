@@ -1,18 +1,27 @@
 // Writes the channels that the frame's methods declared (core/frame/channels.hpp).
 #include "channel_outputs.glsl"
+#include "vertex_streams.glsl"
 in vec3 view_normal;
 in float eye_depth;
 in vec3 motion;
+in vec3 surface_albedo;
+flat in uint surface_id;
+#ifdef HAS_TEXTURE
+in vec2 texture_coordinates;
+layout(binding = 0) uniform sampler2D albedo_texture; // sRGB: decoded before it is filtered
+#endif
 
-uniform vec3 albedo;
-uniform uint instance_id;
 uniform int light_count;
 uniform vec3 light_direction[4];
 uniform vec3 light_irradiance[4];
 
+#ifdef PEELED
+layout(binding = 1) uniform sampler2D nearer_depth_texture;
+#endif
+
 const float kInversePi = 0.31830989;
 
-vec3 compute_direct_light(vec3 n) {
+vec3 compute_direct_light(vec3 n, vec3 albedo) {
     vec3 irradiance = vec3(0.0);
     for (int i = 0; i < light_count; ++i) {
         irradiance += light_irradiance[i] * max(dot(n, light_direction[i]), 0.0);
@@ -21,7 +30,17 @@ vec3 compute_direct_light(vec3 n) {
 }
 
 void main() {
+#ifdef PEELED
+    // A surface of the layer before has the very depth that is stored: it was interpolated alike.
+    if (eye_depth <= texelFetch(nearer_depth_texture, ivec2(gl_FragCoord.xy), 0).r) {
+        discard;
+    }
+#endif
     vec3 n = normalize(gl_FrontFacing ? view_normal : -view_normal);
+    vec3 albedo = surface_albedo;
+#ifdef HAS_TEXTURE
+    albedo *= texture(albedo_texture, texture_coordinates).rgb;
+#endif
 #ifdef WRITE_eye_depth
     out_eye_depth = eye_depth;
 #endif
@@ -32,7 +51,7 @@ void main() {
     out_albedo = vec4(albedo, 1.0);
 #endif
 #ifdef WRITE_direct_light
-    out_direct_light = vec4(compute_direct_light(n), 1.0);
+    out_direct_light = vec4(compute_direct_light(n, albedo), 1.0);
 #endif
 #ifdef WRITE_motion
     out_motion = vec4(motion, 0.0);
@@ -41,6 +60,6 @@ void main() {
     out_motion_depth = vec4(motion, eye_depth);
 #endif
 #ifdef WRITE_instance_id
-    out_instance_id = instance_id;
+    out_instance_id = surface_id;
 #endif
 }

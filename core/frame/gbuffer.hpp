@@ -11,11 +11,14 @@ namespace alcove {
 
 class GBuffer {
   public:
+    /// `samples` a pixel; with more than one, textures are read by sampler2DMS. Throws InputError
+    /// for more samples than the device offers, and for multisampled eye depth from raster depth.
     GBuffer(const gl::Functions& gl, ImageSize size, ChannelSet channels,
-            const Precision& precision);
+            const Precision& precision, int samples = 1);
 
     [[nodiscard]] ImageSize size() const noexcept { return m_size; }
     [[nodiscard]] ChannelSet channels() const noexcept { return m_channels; }
+    [[nodiscard]] int samples() const noexcept { return m_samples; }
     [[nodiscard]] const Precision& precision() const noexcept { return m_precision; }
     /// Asserts that the channel was asked for.
     [[nodiscard]] const gl::Texture& texture(Channel channel) const;
@@ -38,6 +41,7 @@ class GBuffer {
     ChannelSet m_channels;
     ChannelSet m_still_channels;
     Precision m_precision;
+    int m_samples;
     std::array<gl::Texture, kChannels.size()> m_textures;
     gl::Texture m_raster_depth;
     gl::FramebufferHandle m_framebuffer;

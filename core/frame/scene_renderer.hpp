@@ -2,11 +2,14 @@
 // Rasterises a scene into a G-buffer. Every matrix the GPU sees is relative to the current camera
 // and composed in double.
 
+#include "core/frame/draw_list.hpp"
 #include "core/frame/frame_view.hpp"
 #include "core/frame/full_screen.hpp"
 #include "core/frame/gbuffer.hpp"
 
 #include <map>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 namespace alcove {
@@ -14,58 +17,71 @@ namespace alcove {
 /// Largest number of directional lights of a scene.
 inline constexpr std::size_t kMaximumLights = 4;
 
+/// What one frame cost in triangles.
+struct DrawCounts {
+    std::size_t drawn = 0;   ///< triangles handed to the GPU for the G-buffer
+    std::size_t hiders = 0;  ///< and before that to find out what they hide
+    std::size_t objects = 0; ///< drawn, whole or in part
+};
+
 class SceneRenderer {
   public:
-    /// Uploads the scene's meshes. The scene must outlive the renderer. Throws InputError above
-    /// kMaximumLights.
-    SceneRenderer(const gl::Functions& gl, const Scene& scene);
+    /// Uploads the scene's meshes. The scene must outlive the renderer. Culling changes no bit of
+    /// an image, only its cost. Throws InputError above kMaximumLights.
+    SceneRenderer(const gl::Functions& gl, const Scene& scene,
+                  Culling culling = Culling::occlusion);
 
     /// Fills all channels of the G-buffer.
     void render(const GBuffer& gbuffer, const FrameView& view);
+    /// With what lies behind the surfaces of `nearer`, a G-buffer of the same view: depth peeling,
+    /// front and back faces alike. This work is based on: Everitt. Interactive order-independent
+    /// transparency. 2001. Throws InputError unless both keep eye depth as float32.
+    void render_layer(const GBuffer& gbuffer, const FrameView& view, const GBuffer& nearer);
+    /// With the nearest surfaces that are seen from behind.
+    void render_back_faces(const GBuffer& gbuffer, const FrameView& view);
+    /// Of the last render.
+    [[nodiscard]] const DrawCounts& counts() const noexcept { return m_counts; }
 
   private:
-    struct GpuMesh {
-        gl::BufferHandle vertices;
-        gl::BufferHandle indices;
-        gl::VertexArrayHandle vertex_array;
-        GLsizei index_count = 0;
-    };
-    /// A program and its uniforms' places for one set of channels.
+    /// A program and its uniforms' places for one set of channels and vertex streams.
     struct Pipeline {
         gl::Program program;
-        GLint view_from_object = -1;
         GLint clip_from_view = -1;
-        GLint normal_matrix = -1;
-        GLint motion_matrix = -1;
-        GLint albedo = -1;
-        GLint instance_id = -1;
+        GLint previous_world_from_object = -1;
     };
+    /// How a pass differs from that of the nearest surfaces.
+    struct Pass {
+        FaceRule faces = FaceRule::as_listed;
+        const gl::Texture* nearer_depth = nullptr; ///< of a peeled pass
+    };
+    using PipelineKey = std::tuple<ChannelSet, VertexStreams, bool>; ///< true: peeled
 
-    /// An object's transform to the world, now and one frame ago.
-    struct ObjectTransform {
-        std::size_t index;
-        glm::dmat4 now;
-        glm::dmat4 before;
-    };
-    struct Objects {
-        std::vector<ObjectTransform> still;
-        std::vector<ObjectTransform> moving;
-    };
-
-    const Pipeline& get_pipeline(ChannelSet channels);
+    const Pipeline& get_pipeline(const PipelineKey& key);
     void clear(const GBuffer& gbuffer) const;
     void set_lights(const Pipeline& pipeline, const Camera& camera) const;
-    [[nodiscard]] Objects sort_objects(const FrameView& view) const;
-    void draw_objects(ChannelSet channels, GLuint framebuffer, const FrameView& view,
-                      const glm::dmat4& projection, const std::vector<ObjectTransform>& objects);
+    /// Where everything is, and on the GPU what deforms.
+    [[nodiscard]] FramePose pose_frame(const FrameView& view);
+    void render(const GBuffer& gbuffer, const FrameView& view, const Pass& pass);
+    [[nodiscard]] VisibleSet find_visible(const FrameView& view, const FramePose& pose,
+                                          const GBuffer& gbuffer, const Pass& pass,
+                                          const glm::dmat4& projection);
+    void draw(const DrawList& list, ChannelSet channels, GLuint framebuffer, const Camera& camera,
+              const glm::dmat4& projection, const Pass& pass);
     void rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const;
 
     const gl::Functions& m_gl;
     const Scene& m_scene;
+    Culling m_culling;
     gl::ShaderLibrary m_library;
-    std::vector<GpuMesh> m_meshes;
-    std::map<ChannelSet, Pipeline> m_pipelines;
+    SceneGeometry m_geometry;
+    std::vector<gl::TextureHandle> m_textures;
+    SceneCuller m_culler;
+    DrawList m_still;
+    DrawList m_moving;
+    std::optional<GBuffer> m_hider_depth; ///< eye depth alone
+    std::map<PipelineKey, Pipeline> m_pipelines;
     FullScreenProgram m_rebuild;
+    DrawCounts m_counts;
 };
 
 } // namespace alcove

@@ -54,6 +54,7 @@
     X(FINISH, Finish)                                                                              \
     X(FLUSH, Flush)                                                                                \
     X(FRONTFACE, FrontFace)                                                                        \
+    X(GENERATETEXTUREMIPMAP, GenerateTextureMipmap)                                                \
     X(GETERROR, GetError)                                                                          \
     X(GETINTEGER64V, GetInteger64v)                                                                \
     X(GETINTEGERV, GetIntegerv)                                                                    \
@@ -69,6 +70,7 @@
     X(GETUNIFORMLOCATION, GetUniformLocation)                                                      \
     X(LINKPROGRAM, LinkProgram)                                                                    \
     X(MEMORYBARRIER, MemoryBarrier)                                                                \
+    X(MULTIDRAWELEMENTSINDIRECT, MultiDrawElementsIndirect)                                        \
     X(NAMEDBUFFERSTORAGE, NamedBufferStorage)                                                      \
     X(NAMEDBUFFERSUBDATA, NamedBufferSubData)                                                      \
     X(NAMEDFRAMEBUFFERDRAWBUFFERS, NamedFramebufferDrawBuffers)                                    \
@@ -79,6 +81,7 @@
     X(SHADERSOURCE, ShaderSource)                                                                  \
     X(TEXTUREPARAMETERI, TextureParameteri)                                                        \
     X(TEXTURESTORAGE2D, TextureStorage2D)                                                          \
+    X(TEXTURESTORAGE2DMULTISAMPLE, TextureStorage2DMultisample)                                    \
     X(TEXTURESUBIMAGE2D, TextureSubImage2D)                                                        \
     X(UNIFORM1F, Uniform1f)                                                                        \
     X(UNIFORM1I, Uniform1i)                                                                        \
@@ -93,6 +96,8 @@
     X(USEPROGRAM, UseProgram)                                                                      \
     X(VERTEXARRAYATTRIBBINDING, VertexArrayAttribBinding)                                          \
     X(VERTEXARRAYATTRIBFORMAT, VertexArrayAttribFormat)                                            \
+    X(VERTEXARRAYATTRIBIFORMAT, VertexArrayAttribIFormat)                                          \
+    X(VERTEXARRAYBINDINGDIVISOR, VertexArrayBindingDivisor)                                        \
     X(VERTEXARRAYELEMENTBUFFER, VertexArrayElementBuffer)                                          \
     X(VERTEXARRAYVERTEXBUFFER, VertexArrayVertexBuffer)                                            \
     X(VIEWPORT, Viewport)

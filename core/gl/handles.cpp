@@ -38,6 +38,20 @@ Texture::Texture(const Functions& gl, GLenum format, ImageSize size)
     gl.TextureParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
+Texture::Texture(const Functions& gl, GLenum format, ImageSize size, int samples)
+    : m_format(format), m_size(size) {
+    GLint most = 0;
+    gl.GetIntegerv(GL_MAX_SAMPLES, &most);
+    if (samples > most) {
+        throw InputError("multisampling", "more samples than the device offers",
+                         std::to_string(samples), "at most " + std::to_string(most));
+    }
+    GLuint name = 0;
+    gl.CreateTextures(GL_TEXTURE_2D_MULTISAMPLE, 1, &name);
+    m_handle = TextureHandle(gl, name);
+    gl.TextureStorage2DMultisample(name, samples, format, size.width, size.height, GL_TRUE);
+}
+
 BufferHandle create_buffer(const Functions& gl, std::span<const std::byte> bytes,
                            GLbitfield flags) {
     ALCOVE_ASSERT(!bytes.empty(), "a buffer of some bytes");

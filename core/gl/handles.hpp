@@ -66,6 +66,9 @@ class Texture {
     Texture() = default;
     /// `format` is sized, e.g. GL_R32F.
     Texture(const Functions& gl, GLenum format, ImageSize size);
+    /// One of `samples` a pixel, at fixed places; read by sampler2DMS alone. Throws InputError
+    /// above what the device offers.
+    Texture(const Functions& gl, GLenum format, ImageSize size, int samples);
     [[nodiscard]] GLuint get() const noexcept { return m_handle.get(); }
     [[nodiscard]] GLenum format() const noexcept { return m_format; }
     [[nodiscard]] ImageSize size() const noexcept { return m_size; }

@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "methods/reference_ray_traced/sobol.hpp"
+#include "methods/reference_ray_traced/traced_scene.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,22 +27,6 @@ struct Receiver {
     glm::vec3 origin;
     glm::vec3 normal;
 };
-
-/// One object's triangles as the tree and the shading see them.
-struct TracedObject {
-    std::vector<glm::vec3> positions; ///< relative to the scene's origin
-    std::vector<glm::vec3> normals;
-    const std::vector<std::uint32_t>* indices = nullptr;
-};
-
-struct DeviceDeleter {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-};
-struct SceneDeleter {
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-};
-using DeviceHandle = std::unique_ptr<RTCDeviceTy, DeviceDeleter>;
-using SceneHandle = std::unique_ptr<RTCSceneTy, SceneDeleter>;
 
 /// An orthonormal frame (Duff et al. Building an orthonormal basis, revisited. 2017).
 glm::mat3 make_frame(const glm::vec3& n) {
@@ -106,18 +91,6 @@ float compute_weight(Falloff falloff, float relative_distance) {
     return 1.0f - relative_distance * relative_distance;
 }
 
-TracedObject place_object(const PosedObject& object) {
-    TracedObject traced;
-    const glm::mat4 matrix = object.origin_from_object;
-    const glm::mat3 normal_matrix = glm::transpose(glm::inverse(glm::mat3(matrix)));
-    traced.indices = &object.mesh->indices;
-    for (std::size_t i = 0; i < object.mesh->positions.size(); ++i) {
-        traced.positions.emplace_back(matrix * glm::vec4(object.mesh->positions[i], 1.0f));
-        traced.normals.push_back(glm::normalize(normal_matrix * object.mesh->normals[i]));
-    }
-    return traced;
-}
-
 /// Moves the point off the planes that the vertex normals span, so that shading normals do not
 /// start rays below facets that are only facets. This work is based on: Hanika. Hacking the shadow
 /// terminator. Ray Tracing Gems II. 2021.
@@ -135,12 +108,7 @@ glm::vec3 lift_off_terminator(const glm::vec3& point, const std::array<glm::vec3
 } // namespace
 
 struct RayTracer::State {
-    DeviceHandle device;
-    SceneHandle scene;
-    std::vector<TracedObject> objects;
-    const Scene* built_for = nullptr;
-    bool built_static = false;
-    glm::dvec3 origin{0.0};
+    TracedScene scene;
 
     [[nodiscard]] bool find_receiver(const glm::vec3& eye, const glm::vec3& direction,
                                      const Camera& camera, const TraceSettings& settings,
@@ -166,22 +134,20 @@ bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& dire
     query.ray.tfar = static_cast<float>(camera.far_m);
     query.ray.mask = 0xffffffffu;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(scene.get(), &context, &query);
+    query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene.top(), &context, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return false;
     }
-    const TracedObject& object = objects[query.hit.geomID];
-    const std::size_t first = std::size_t{3} * query.hit.primID;
+    TracedTriangle triangle =
+        scene.get_triangle({query.hit.instID[0], query.hit.geomID, query.hit.primID});
+    const std::array<glm::vec3, 3>& corners = triangle.corners;
+    std::array<glm::vec3, 3>& normals = triangle.normals;
     const std::array<float, 3> barycentric{1.0f - query.hit.u - query.hit.v, query.hit.u,
                                            query.hit.v};
-    std::array<glm::vec3, 3> corners{};
-    std::array<glm::vec3, 3> normals{};
     glm::vec3 point(0.0f);
     glm::vec3 shading(0.0f);
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t vertex = (*object.indices)[first + i];
-        corners[i] = object.positions[vertex];
-        normals[i] = object.normals[vertex];
         point += barycentric[i] * corners[i];
         shading += barycentric[i] * normals[i];
     }
@@ -243,7 +209,7 @@ float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
         if (needs_distance) {
             // Most rays meet nothing: the closest hit is searched for those alone that meet
             // something.
-            rtcOccluded16(valid.data(), scene.get(), &context, &bundle.ray);
+            rtcOccluded16(valid.data(), scene.top(), &context, &bundle.ray);
             bool any = false;
             for (unsigned lane = 0; lane < kBundle; ++lane) {
                 const bool is_blocked = valid[lane] != 0 && bundle.ray.tfar[lane] < 0.0f;
@@ -254,9 +220,9 @@ float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
             if (!any) {
                 continue;
             }
-            rtcIntersect16(valid.data(), scene.get(), &context, &bundle);
+            rtcIntersect16(valid.data(), scene.top(), &context, &bundle);
         } else {
-            rtcOccluded16(valid.data(), scene.get(), &context, &bundle.ray);
+            rtcOccluded16(valid.data(), scene.top(), &context, &bundle.ray);
         }
         for (unsigned lane = 0; lane < kBundle; ++lane) {
             const bool hit = needs_distance ? bundle.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID
@@ -269,62 +235,21 @@ float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
     return 1.0f - blocked / static_cast<float>(rays);
 }
 
-RayTracer::RayTracer() : m_state(std::make_unique<State>()) {
-    m_state->device = DeviceHandle(rtcNewDevice(nullptr));
-    if (!m_state->device) {
-        throw FailureError("Embree", "no device", std::to_string(rtcGetDeviceError(nullptr)));
-    }
-}
+RayTracer::RayTracer() : m_state(std::make_unique<State>()) {}
 
 RayTracer::~RayTracer() = default;
 
 void RayTracer::update(const PosedGeometry& geometry) {
-    State& state = *m_state;
-    if (state.scene && geometry.is_static && state.built_static &&
-        state.built_for == geometry.scene && state.origin == geometry.origin) {
-        return;
-    }
-    state.scene = SceneHandle(rtcNewScene(state.device.get()));
-    rtcSetSceneFlags(state.scene.get(), RTC_SCENE_FLAG_ROBUST);
-    state.objects.clear();
-    state.objects.reserve(geometry.objects.size());
-    for (const PosedObject& object : geometry.objects) {
-        TracedObject& traced = state.objects.emplace_back(place_object(object));
-        const RTCGeometry mesh = rtcNewGeometry(state.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
-        auto* positions = static_cast<glm::vec3*>(
-            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                    sizeof(glm::vec3), traced.positions.size()));
-        auto* indices = static_cast<std::uint32_t*>(
-            rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                    3 * sizeof(std::uint32_t), traced.indices->size() / 3));
-        if (positions == nullptr || indices == nullptr) {
-            rtcReleaseGeometry(mesh);
-            throw FailureError("Embree", "out of memory for the scene's triangles");
-        }
-        std::copy(traced.positions.begin(), traced.positions.end(), positions);
-        std::copy(traced.indices->begin(), traced.indices->end(), indices);
-        rtcCommitGeometry(mesh);
-        rtcAttachGeometryByID(state.scene.get(), mesh,
-                              static_cast<unsigned>(state.objects.size() - 1));
-        rtcReleaseGeometry(mesh);
-    }
-    rtcCommitScene(state.scene.get());
-    const RTCError error = rtcGetDeviceError(state.device.get());
-    if (error != RTC_ERROR_NONE) {
-        throw FailureError("Embree", "the tree cannot be built", std::to_string(error));
-    }
-    state.built_for = geometry.scene;
-    state.built_static = geometry.is_static;
-    state.origin = geometry.origin;
+    m_state->scene.update(geometry);
 }
 
 ReferencePair RayTracer::trace(const Camera& camera, ImageSize size,
                                const TraceSettings& settings) const {
     const State& state = *m_state;
-    ALCOVE_ASSERT(state.scene != nullptr, "update before trace");
+    ALCOVE_ASSERT(state.scene.is_built(), "update before trace");
     ALCOVE_ASSERT(settings.rays_per_half >= 1 && settings.target.radius_m > 0.0, "trace settings");
     ReferencePair pair{Image(size, 1, 1.0f), Image(size, 1, 1.0f), 0};
-    const glm::vec3 eye(camera.position - state.origin);
+    const glm::vec3 eye(camera.position - state.scene.origin());
     const SobolBundles points(static_cast<unsigned>(settings.rays_per_half));
     std::atomic<int> next_row{0};
     std::atomic<std::uint64_t> receivers{0};

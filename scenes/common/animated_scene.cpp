@@ -1,6 +1,7 @@
 #include "scenes/common/animated_scene.hpp"
 
 #include "core/base/assert.hpp"
+#include "scenes/common/clusters.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -75,6 +76,16 @@ AnimatedScene::AnimatedScene(AnimatedSceneContent content) : m_content(std::move
         m_is_static = m_is_static && m_objects[i].motion == ObjectMotion::still;
     }
     m_is_static = m_is_static || (m_content.is_at_rest && !m_tracks.move_any());
+    // Boxes and cones of a mesh at rest say nothing of where it is moved to.
+    std::vector<bool> deforms(m_content.meshes.size(), false);
+    for (const Object& object : m_objects) {
+        deforms[object.mesh] = deforms[object.mesh] || object.motion == ObjectMotion::deforming;
+    }
+    for (std::size_t i = 0; i < m_content.meshes.size(); ++i) {
+        if (!deforms[i]) {
+            build_clusters(m_content.meshes[i]);
+        }
+    }
     place_walkthrough(m_content.walkthrough, m_content.origin);
 }
 

@@ -1,6 +1,7 @@
 #include "scenes/common/rigid_scene.hpp"
 
 #include "core/base/assert.hpp"
+#include "scenes/common/clusters.hpp"
 
 #include <utility>
 
@@ -14,6 +15,9 @@ RigidScene::RigidScene(RigidSceneContent content)
         Object& object = m_content.objects[i];
         ALCOVE_ASSERT(object.mesh < m_content.meshes.size(), "an object of a mesh that exists");
         object.motion = m_tracks.moves(i) ? ObjectMotion::rigid : ObjectMotion::still;
+    }
+    for (Mesh& mesh : m_content.meshes) {
+        build_clusters(mesh);
     }
     place_walkthrough(m_content.walkthrough, m_content.origin);
 }
