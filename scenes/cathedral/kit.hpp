@@ -4,9 +4,9 @@
 
 #include "scenes/common/polygon.hpp"
 #include "scenes/common/rigid_scene.hpp"
+#include "scenes/common/split_mix.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -70,7 +70,7 @@ class Kit {
   private:
     double m_scale;
     bool m_has_ornament;
-    std::uint64_t m_random;
+    SplitMix m_random;
     RigidSceneContent m_content;
 };
 
