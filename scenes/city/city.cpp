@@ -23,7 +23,7 @@ ParameterTable make_table() {
     using P = CityParameters;
     return describe_parameters(
         "city", {real(&P::detail, "detail")
-                     .range(0.25, 64.0)
+                     .range(0.5, 64.0)
                      .log_scale()
                      .unit("1")
                      .meaning("how far from the walkthroughs' street houses have facades, trees "

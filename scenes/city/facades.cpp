@@ -10,10 +10,10 @@
 namespace alcove::city {
 namespace {
 
-/// Courtyards are seen from the roofs only.
-constexpr double kCourtReach = 0.8;
-constexpr double kEndReach = 1.0;
-/// Of the reach: only houses this near have more than two balconies' worth of ornament.
+/// Of the reach. Courtyards are seen from the roofs only.
+constexpr double kCourtReach = 0.7;
+/// Of the reach: nearer houses have the finest storeys.
+constexpr double kFineReach = 0.5;
 constexpr double kBalconyReach = 0.9;
 
 using Meshes = std::vector<std::size_t>;
@@ -23,10 +23,11 @@ class Wardrobe {
   public:
     Wardrobe(Kit& kit, const std::vector<Style>& styles) : m_kit(kit), m_styles(styles) {}
 
-    const Meshes& get_storey(int style, StoreyKind kind, int bays) {
-        Meshes& meshes = m_storeys[{style, static_cast<int>(kind), bays}];
+    const Meshes& get_storey(const Lot& lot, StoreyKind kind, int bays) {
+        const int steps = lot.distance_m < kFineReach * m_kit.reach_m() ? m_kit.steps() : 1;
+        Meshes& meshes = m_storeys[{lot.style, static_cast<int>(kind), bays, steps}];
         if (meshes.empty()) {
-            meshes = add_storey(m_kit, get_style(style), kind, bays);
+            meshes = add_storey(m_kit, get_style(lot.style), kind, bays, steps);
         }
         return meshes;
     }
@@ -56,7 +57,7 @@ class Wardrobe {
 
     Kit& m_kit;
     const std::vector<Style>& m_styles;
-    std::map<std::array<int, 3>, Meshes> m_storeys; ///< by style, kind and bays
+    std::map<std::array<int, 4>, Meshes> m_storeys; ///< by style, kind, bays and steps
     Found m_cornices;
     Found m_quoins;
     Found m_balconies;
@@ -74,10 +75,10 @@ double get_floor(const Lot& lot, int storey) {
 
 /// A wall to a street, all storeys; `frame` as a lot's.
 void dress_street(Kit& kit, Wardrobe& wardrobe, const Lot& lot, const glm::dmat4& frame, int bays) {
-    place_all(kit, wardrobe.get_storey(lot.style, StoreyKind::ground, bays), frame);
+    place_all(kit, wardrobe.get_storey(lot, StoreyKind::ground, bays), frame);
     for (int storey = 1; storey < lot.storeys; ++storey) {
         const StoreyKind kind = storey == 1 ? StoreyKind::noble : StoreyKind::upper;
-        place_all(kit, wardrobe.get_storey(lot.style, kind, bays),
+        place_all(kit, wardrobe.get_storey(lot, kind, bays),
                   shift(frame, {0.0, get_floor(lot, storey), 0.0}));
     }
     kit.place(wardrobe.get_cornice(lot.style, bays),
@@ -87,10 +88,10 @@ void dress_street(Kit& kit, Wardrobe& wardrobe, const Lot& lot, const glm::dmat4
 void dress_court(Kit& kit, Wardrobe& wardrobe, const Lot& lot) {
     const glm::dmat4 frame =
         shift(lot.frame, {0.0, 0.0, -kLotDepth}) * make_frame(glm::dvec3(0.0), 2);
-    place_all(kit, wardrobe.get_storey(lot.style, StoreyKind::court, kFrontBays),
+    place_all(kit, wardrobe.get_storey(lot, StoreyKind::court, kFrontBays),
               shift(frame, {0.0, 0.9, 0.0}));
     for (int storey = 1; storey < lot.storeys; ++storey) {
-        place_all(kit, wardrobe.get_storey(lot.style, StoreyKind::court, kFrontBays),
+        place_all(kit, wardrobe.get_storey(lot, StoreyKind::court, kFrontBays),
                   shift(frame, {0.0, get_floor(lot, storey), 0.0}));
     }
 }
@@ -107,7 +108,7 @@ void add_facades(Kit& kit, const Plan& plan, const std::vector<Style>& styles) {
         const double edge = -0.5 * kLotWidth;
         kit.place(wardrobe.get_quoin(lot.style, lot.storeys),
                   shift(lot.frame, {edge, lot.lift, 0.0}));
-        if (lot.is_corner && lot.distance_m < kEndReach * kit.reach_m()) {
+        if (lot.is_corner) {
             dress_street(kit, wardrobe, lot,
                          shift(lot.frame, {edge, 0.0, -0.5 * kLotDepth}) *
                              make_frame(glm::dvec3(0.0), 3),
@@ -125,7 +126,7 @@ void add_facades(Kit& kit, const Plan& plan, const std::vector<Style>& styles) {
                           shift(lot.frame, {0.0, get_floor(lot, 3), 0.0}));
             }
         }
-        if (lot.distance_m < kCourtReach * kit.reach_m()) {
+        if (lot.distance_m < kCourtReach * (kit.reach_m() - kLotDepth)) {
             dress_court(kit, wardrobe, lot);
         }
     }

@@ -2,12 +2,15 @@
 #include "scenes/common/solids.hpp"
 
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace alcove::city {
 namespace {
 
 constexpr double kHalf = 0.5 * kLotWidth + 0.03; ///< of a house: reaches into its neighbours
+/// Chimneys make the skyline: they stand farther off than other ornament.
+constexpr double kChimneyReach = 8.0;
 constexpr double kSlope = kRoofRise / (0.5 * kLotDepth);
 
 /// The plain house: one prism under its gable.
@@ -24,9 +27,8 @@ Mesh make_core(const Style& style, int storeys) {
     return builder.finish("house", style.wall, 0.0);
 }
 
-/// Two slopes of `courses` courses of tiles each, chimneys and, with more detail, ridge tiles. y
-/// from the top of the wall.
-Mesh make_roof(const Kit& kit, const Style& style, double chimney_x) {
+/// Two slopes in courses of tiles and, from two steps on, ridge tiles. y from the top of the wall.
+Mesh make_roof(const Kit& kit, const Style& style) {
     constexpr double kOverhang = 1.0;
     const int courses = kit.steps() == 1 ? 1 : kit.count(3.0, 1);
     constexpr double kRun = 0.5 * kLotDepth + kOverhang;
@@ -56,33 +58,38 @@ Mesh make_roof(const Kit& kit, const Style& style, double chimney_x) {
     section.push_back(section[0] - glm::dvec2(0.0, 0.3));
     MeshBuilder builder;
     add_bar(builder, section, -kHalf - 0.05, kHalf + 0.05);
-    for (const double side : {-1.0, 1.0}) {
-        const double x = side * chimney_x;
-        const double z = -0.5 * kLotDepth + 1.2 * side;
-        add_box(builder, {x - 0.7, 2.0, z - 0.35}, {x + 0.7, kRoofRise + 1.1, z + 0.35});
-        if (kit.steps() == 1) {
-            break;
-        }
-        add_box(builder, {x - 0.78, kRoofRise + 0.95, z - 0.43},
-                {x + 0.78, kRoofRise + 1.16, z + 0.43});
-        for (const double pot : {-0.4, 0.0, 0.4}) {
-            add_lathe_at(builder, {x + pot, kRoofRise + 1.1, z},
-                         {{0.13, 0.0}, {0.11, 0.4}, {0.14, 0.48}, {0.14, 0.55}},
-                         kit.segments(5, 4));
-        }
-    }
     if (kit.steps() > 1) {
         const int tiles = kit.count(7.0, 8);
         const double length = 2.0 * kHalf / tiles;
         for (int i = 0; i < tiles; ++i) {
             const double from = -kHalf + length * i;
             Contour tile = make_arc({-0.5 * kLotDepth, kRoofRise + 0.02},
-                                    {0.2 + 0.02 * (i % 2), 0.2 + 0.02 * (i % 2)}, 0.0, 3.14159,
-                                    kit.segments(3, 3));
+                                    {0.2 + 0.02 * (i % 2), 0.2 + 0.02 * (i % 2)}, 0.0,
+                                    std::numbers::pi, kit.segments(3, 3));
             add_bar(builder, tile, from, from + length + 0.04 + 0.003 * (i % 3));
         }
     }
     return builder.finish("roof", style.roof, 30.0);
+}
+
+/// Two of them near the ridge, with pots from two steps on.
+Mesh make_chimneys(const Kit& kit, double chimney_x) {
+    MeshBuilder builder;
+    for (const double side : {-1.0, 1.0}) {
+        const double x = side * chimney_x;
+        const double z = -0.5 * kLotDepth + 1.2 * side;
+        add_box(builder, {x - 0.7, 2.0, z - 0.35}, {x + 0.7, kRoofRise + 1.1, z + 0.35});
+        if (kit.steps() > 1) {
+            add_box(builder, {x - 0.78, kRoofRise + 0.95, z - 0.43},
+                    {x + 0.78, kRoofRise + 1.16, z + 0.43});
+            for (const double pot : {-0.4, 0.0, 0.4}) {
+                add_lathe_at(builder, {x + pot, kRoofRise + 1.1, z},
+                             {{0.13, 0.0}, {0.11, 0.4}, {0.14, 0.48}, {0.14, 0.55}},
+                             kit.segments(5, 4));
+            }
+        }
+    }
+    return builder.finish("chimneys", {0.5f, 0.36f, 0.3f}, 50.0);
 }
 
 /// Three dormers on the street's slope: walls, lids and panes.
@@ -116,10 +123,12 @@ std::vector<std::size_t> add_dormers(Kit& kit, const Style& style) {
 void add_houses(Kit& kit, const Plan& plan, const std::vector<Style>& styles) {
     std::map<std::pair<int, int>, std::size_t> cores;
     std::vector<std::size_t> roofs;
+    std::vector<std::size_t> chimneys;
     std::vector<std::vector<std::size_t>> dormers;
     SplitMix random = kit.make_random(0x40u);
     for (const Style& style : styles) {
-        roofs.push_back(kit.add_mesh(make_roof(kit, style, random.draw(3.0, 8.0))));
+        roofs.push_back(kit.add_mesh(make_roof(kit, style)));
+        chimneys.push_back(kit.add_mesh(make_chimneys(kit, random.draw(3.0, 8.0))));
         dormers.push_back(add_dormers(kit, style));
         for (int storeys = kLowestHouse; storeys <= kHighestHouse; ++storeys) {
             const int number = static_cast<int>(dormers.size()) - 1;
@@ -132,6 +141,9 @@ void add_houses(Kit& kit, const Plan& plan, const std::vector<Style>& styles) {
         kit.place(cores.at({lot.style, lot.storeys}), raised);
         const glm::dmat4 eaves = shift(raised, {0.0, get_wall_height(lot.storeys), 0.0});
         kit.place(roofs[style], eaves);
+        if (lot.distance_m < kChimneyReach * kit.reach_m()) {
+            kit.place(chimneys[style], eaves);
+        }
         if (lot.distance_m < kit.reach_m()) {
             for (const std::size_t part : dormers[style]) {
                 kit.place(part, eaves);

@@ -13,15 +13,15 @@
 namespace alcove::city {
 
 Kit::Kit(double detail, int seed)
-    : m_detail(detail), m_steps(detail < 2.0 ? 1 : (detail < 12.0 ? 2 : 3)),
-      m_reach_m(75.0 * std::pow(detail, 0.65)), m_seed(static_cast<std::uint64_t>(seed)) {}
+    : m_detail(detail), m_steps(detail < 4.0 ? 1 : 2), m_reach_m(24.0 * std::pow(detail, 0.85)),
+      m_seed(static_cast<std::uint64_t>(seed)) {}
 
 int Kit::segments(int at_default, int minimum) const {
-    return std::max(minimum, static_cast<int>(std::lround(at_default * std::pow(m_detail, 0.25))));
+    return std::max(minimum, static_cast<int>(std::lround(at_default * std::pow(m_detail, 0.125))));
 }
 
 int Kit::count(double at_default, int minimum) const {
-    return std::max(minimum, static_cast<int>(std::lround(at_default * std::sqrt(m_detail))));
+    return std::max(minimum, static_cast<int>(std::lround(at_default * std::pow(m_detail, 0.25))));
 }
 
 SplitMix Kit::make_random(std::uint64_t salt) const {
@@ -75,8 +75,8 @@ glm::dmat4 shift(const glm::dmat4& frame, const glm::dvec3& offset) {
 }
 
 double measure_distance_to_route(const glm::dvec3& point) {
-    // Along the tram's street, from two crossings before the church square to the square.
-    const double x = std::clamp(point.x, -260.0, 60.0);
+    // Along the tram's street, two blocks before the church square.
+    const double x = std::clamp(point.x, -240.0, -20.0);
     return std::hypot(point.x - x, point.z);
 }
 

@@ -44,15 +44,15 @@ class Kit {
     Kit(double detail, int seed);
 
     /// Number of segments of a curve that has `at_default` of them at detail 1; grows with the
-    /// fourth root of detail.
+    /// eighth root of detail.
     [[nodiscard]] int segments(int at_default, int minimum) const;
     /// Number of things in a row or cluster that has `at_default` of them at detail 1; grows with
-    /// the square root of detail.
+    /// the fourth root of detail.
     [[nodiscard]] int count(double at_default, int minimum) const;
-    /// Steps of a moulding, rows of rustication: 1 below detail 2, 2 below detail 12, else 3.
+    /// Layers of a moulding: 1 below detail 4, else 2.
     [[nodiscard]] int steps() const noexcept { return m_steps; }
-    /// Things farther than this from where the walkthroughs pass are left out, metres: 75 m at
-    /// detail 1, the whole city from detail 45 on.
+    /// Things farther than this from where the walkthroughs pass are left out, metres: 24 m at
+    /// detail 1, the whole city from detail 60 on.
     [[nodiscard]] double reach_m() const noexcept { return m_reach_m; }
     /// Numbers that depend on the seed and on `salt` alone, so that a building is the same at every
     /// detail.

@@ -40,46 +40,43 @@ void add_surround(MeshBuilder& builder, const Opening& opening, int segments, in
 }
 
 void add_sash(MeshBuilder& builder, const Opening& opening, int segments, int steps) {
-    constexpr double kBack = 0.09;
-    constexpr double kThick = 0.08;
-    const Contour outline = draw_opening(opening, 0.03, segments);
-    Opening clear = opening;
-    clear.half_width -= 0.08;
-    clear.bottom += 0.09;
-    clear.top -= 0.08;
-    clear.rise = std::max(0.0, opening.rise - 0.08);
+    constexpr double kBar = 0.03; // half a glazing bar
+    constexpr double kRim = 0.08;
     if (steps == 1) {
-        add_extrusion(builder, at_depth(kBack), outline, {draw_opening(clear, 0.0, segments)},
-                      kThick);
+        add_box(builder, {opening.middle - kBar, opening.bottom - kBar, 0.09},
+                {opening.middle + kBar, opening.top + kBar, 0.17});
         return;
     }
-    // Two lights side by side, `steps` rows, and one light under an arch.
-    const double spring = clear.top - clear.rise;
+    // The wall hides the corners that an arch leaves of a rectangle.
+    const double left = opening.middle - opening.half_width + kRim;
+    const double right = opening.middle + opening.half_width - kRim;
+    const double low = opening.bottom + kRim;
+    const double spring = opening.top - std::max(opening.rise, kRim);
     std::vector<Contour> lights;
-    constexpr double kBar = 0.03; // half a glazing bar
-    const double pitch = (spring - clear.bottom) / steps;
     for (int row = 0; row < steps; ++row) {
-        const double low = clear.bottom + pitch * row + kBar;
-        const double high = clear.bottom + pitch * (row + 1) - kBar;
-        const double left = opening.middle - clear.half_width;
-        const double right = opening.middle + clear.half_width;
-        lights.push_back(make_rectangle(left, low, opening.middle - kBar, high));
-        lights.push_back(make_rectangle(opening.middle + kBar, low, right, high));
+        const double pitch = (spring - low) / steps;
+        const double bottom = low + pitch * row + kBar;
+        const double top = low + pitch * (row + 1) - kBar;
+        lights.push_back(make_rectangle(left, bottom, opening.middle - kBar, top));
+        lights.push_back(make_rectangle(opening.middle + kBar, bottom, right, top));
     }
-    if (clear.rise > 0.15) {
+    if (opening.rise > 0.3) {
         lights.push_back(make_arc({opening.middle, spring + kBar},
-                                  {clear.half_width, clear.rise - kBar}, 0.0, std::numbers::pi,
-                                  segments));
+                                  {right - opening.middle, opening.rise - kRim - kBar}, 0.0,
+                                  std::numbers::pi, segments));
     }
-    add_extrusion(builder, at_depth(kBack), outline, lights, kThick);
+    Opening square = opening;
+    square.rise = 0.0;
+    add_extrusion(builder, at_depth(0.09), draw_opening(square, 0.03, 1), lights, 0.08);
 }
 
-void add_pane(MeshBuilder& builder, const Opening& opening, int segments) {
-    add_extrusion(builder, at_depth(-kSink), draw_opening(opening, 0.05, segments), {},
-                  0.12 + kSink);
+void add_pane(MeshBuilder& builder, const Opening& opening) {
+    const double half = opening.half_width + 0.05;
+    add_box(builder, {opening.middle - half, opening.bottom - 0.05, -0.08},
+            {opening.middle + half, opening.top + 0.05, 0.12});
 }
 
-void add_sill(MeshBuilder& builder, const Opening& opening, int segments, int steps) {
+void add_sill(MeshBuilder& builder, const Opening& opening, int steps) {
     const double half = opening.half_width + 0.24;
     const double y = opening.bottom;
     if (steps == 1) {
@@ -87,20 +84,22 @@ void add_sill(MeshBuilder& builder, const Opening& opening, int segments, int st
                 {opening.middle + half, y - 0.04, kFacade + 0.2});
         return;
     }
-    Contour section{{0.1, y - 0.2}, {kFacade + 0.08, y - 0.2}};
-    const Contour nose = make_arc({kFacade + 0.12, y - 0.11}, {0.07, 0.06}, -0.5 * std::numbers::pi,
-                                  0.5 * std::numbers::pi, segments / 2);
-    section.insert(section.end(), nose.begin(), nose.end());
-    section.emplace_back(0.1, y - 0.03);
-    add_bar(builder, section, opening.middle - half, opening.middle + half);
+    add_bar(builder,
+            {{0.1, y - 0.2},
+             {kFacade + 0.12, y - 0.2},
+             {kFacade + 0.19, y - 0.14},
+             {kFacade + 0.19, y - 0.07},
+             {kFacade + 0.15, y - 0.03},
+             {0.1, y - 0.03}},
+            opening.middle - half, opening.middle + half);
     for (const double side : {-1.0, 1.0}) {
-        Contour bracket{{kFacade - kSink, y - 0.52}, {kFacade - kSink, y - 0.18}};
-        bracket.emplace_back(kFacade + 0.13, y - 0.18);
-        const Contour hollow = make_arc({kFacade + 0.13, y - 0.49}, {0.1, 0.25},
-                                        0.5 * std::numbers::pi, std::numbers::pi, segments / 2);
-        bracket.insert(bracket.end(), hollow.begin(), hollow.end());
         const double x = opening.middle + side * (opening.half_width + 0.02);
-        add_bar(builder, bracket, x - 0.06, x + 0.06);
+        add_bar(builder,
+                {{kFacade - kSink, y - 0.52},
+                 {kFacade + 0.05, y - 0.48},
+                 {kFacade + 0.13, y - 0.18},
+                 {kFacade - kSink, y - 0.18}},
+                x - 0.06, x + 0.06);
     }
 }
 

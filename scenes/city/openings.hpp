@@ -21,12 +21,13 @@ struct Opening {
 
 /// Frame around the opening in `steps` layers, each narrower and further out.
 void add_surround(MeshBuilder& builder, const Opening& opening, int segments, int steps);
-/// Window sash with panes set off by bars; sits in the reveal.
+/// In the reveal: a mere mullion at one step, else a sash with two lights in each of `steps` rows
+/// and one under an arch.
 void add_sash(MeshBuilder& builder, const Opening& opening, int segments, int steps);
 /// The dark plate behind a sash.
-void add_pane(MeshBuilder& builder, const Opening& opening, int segments);
-/// Sill on two brackets; brackets from two steps on.
-void add_sill(MeshBuilder& builder, const Opening& opening, int segments, int steps);
+void add_pane(MeshBuilder& builder, const Opening& opening);
+/// From two steps on with a nose and two brackets.
+void add_sill(MeshBuilder& builder, const Opening& opening, int steps);
 /// Above the surround.
 void add_pediment(MeshBuilder& builder, const Opening& opening, Pediment kind, int segments,
                   int steps);

@@ -84,7 +84,7 @@ Mesh make_wall(const Kit& kit, const Style& style, StoreyKind kind,
     const double high = (kind == StoreyKind::ground ? kGroundFloor : kStorey) - kSeam;
     std::vector<Contour> holes;
     for (const Opening& opening : openings) {
-        holes.push_back(draw_opening(opening, 0.0, kit.segments(6, 4)));
+        holes.push_back(draw_opening(opening, 0.0, kit.segments(4, 4)));
     }
     MeshBuilder builder;
     add_extrusion(builder, {{0.0, 0.0, -kSink}, {1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}},
@@ -93,38 +93,39 @@ Mesh make_wall(const Kit& kit, const Style& style, StoreyKind kind,
 }
 
 void add_trim(MeshBuilder& builder, const Kit& kit, const Style& style, StoreyKind kind,
-              const std::vector<Opening>& openings) {
-    const int arc = kit.segments(6, 4);
+              const std::vector<Opening>& openings, int steps) {
+    const int arc = kit.segments(4, 4);
     const int bays = static_cast<int>(openings.size());
     for (const Opening& opening : openings) {
-        add_surround(builder, opening, arc, kit.steps());
+        add_surround(builder, opening, arc, steps);
         if (opening.bottom > 0.1) {
-            add_sash(builder, opening, arc, kit.steps());
-            add_sill(builder, opening, arc, kit.steps());
+            add_sash(builder, opening, arc, steps);
+            add_sill(builder, opening, steps);
         }
         if (kind == StoreyKind::noble) {
-            add_pediment(builder, opening, style.pediment, arc, kit.steps());
+            add_pediment(builder, opening, style.pediment, arc, steps);
         }
     }
     if (kind == StoreyKind::ground) {
-        add_rustication(builder, openings, bays, kit.count(2.0, 1) > 8 ? 8 : kit.count(2.0, 1));
+        add_rustication(builder, openings, bays, kit.count(1.4, 1));
     } else {
-        add_belt(builder, kind, bays, kit.segments(3, 2), kit.steps());
+        add_belt(builder, kind, bays, kit.segments(3, 2), steps);
     }
 }
 
 } // namespace
 
-std::vector<std::size_t> add_storey(Kit& kit, const Style& style, StoreyKind kind, int bays) {
+std::vector<std::size_t> add_storey(Kit& kit, const Style& style, StoreyKind kind, int bays,
+                                    int steps) {
     const std::vector<Opening> openings = list_openings(style, kind, bays);
     std::vector<std::size_t> meshes{kit.add_mesh(make_wall(kit, style, kind, openings, bays))};
     MeshBuilder glass;
     MeshBuilder wood;
     for (const Opening& opening : openings) {
         const bool is_door = opening.bottom < 0.1;
-        add_pane(is_door ? wood : glass, opening, kit.segments(6, 4));
+        add_pane(is_door ? wood : glass, opening);
         if (is_door) {
-            add_door(wood, opening, 1 + kit.steps());
+            add_door(wood, opening, 1 + steps);
         }
     }
     meshes.push_back(kit.add_mesh(glass.finish("facade_glass", kGlass, kCrease)));
@@ -133,7 +134,7 @@ std::vector<std::size_t> add_storey(Kit& kit, const Style& style, StoreyKind kin
     }
     if (kind != StoreyKind::court) {
         MeshBuilder trim;
-        add_trim(trim, kit, style, kind, openings);
+        add_trim(trim, kit, style, kind, openings, steps);
         meshes.push_back(kit.add_mesh(trim.finish("facade_trim", style.trim, kCrease)));
     }
     return meshes;
@@ -149,7 +150,7 @@ std::size_t add_cornice(Kit& kit, const Style& style, int bays) {
                    {{kFacade + 0.5, -0.72}, {kFacade + 0.5, -0.58}, {-kSink, -0.58}});
     MeshBuilder builder;
     add_bar(builder, section, -half, half);
-    const int blocks = std::min(kit.count(1.0, 1), 5) * bays; // modillions
+    const int blocks = kit.count(1.0, 1) * bays; // modillions
     for (int i = 0; i < blocks && kit.steps() > 1; ++i) {
         const double x = (i - 0.5 * (blocks - 1)) * kBay * bays / blocks;
         add_box(builder, {x - 0.09, -0.9, kFacade - kSink}, {x + 0.09, -0.7, kFacade + 0.44});
@@ -173,8 +174,8 @@ std::size_t add_balcony(Kit& kit, const Style& style) {
                  {kFacade - 0.1, -0.1}},
                 x - 0.12, x + 0.12);
     }
-    const int count = 2 * kit.count(8.0, 6);
-    const Contour profile{{0.03, 0.15}, {0.035, 0.25}, {0.055, 0.42}, {0.022, 0.75}, {0.04, 1.03}};
+    const int count = 2 * kit.count(6.0, 6);
+    const Contour profile{{0.03, 0.15}, {0.055, 0.42}, {0.022, 0.75}, {0.04, 1.03}};
     for (int i = 0; i <= count; ++i) {
         const double x = (kHalf - 0.13) * (2.0 * i / count - 1.0);
         add_lathe_at(builder, {x, 0.0, kFront - 0.125}, profile, kit.segments(4, 4));
@@ -186,7 +187,7 @@ std::size_t add_balcony(Kit& kit, const Style& style) {
             add_lathe_at(builder, {side * (kHalf - 0.13), 0.0, z}, profile, kit.segments(4, 4));
         }
     }
-    return kit.add_mesh(builder.finish("balcony", style.trim, kCrease));
+    return kit.add_mesh(builder.finish("balcony", style.trim, 89.0));
 }
 
 std::size_t add_quoin(Kit& kit, const Style& style, int storeys) {

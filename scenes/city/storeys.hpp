@@ -18,9 +18,9 @@ enum class StoreyKind {
 };
 
 /// Adds the meshes of a storey: wall with holes, glass and, but for courts, trim. To be placed
-/// together.
+/// together. `steps` as Kit::steps: of the mouldings.
 [[nodiscard]] std::vector<std::size_t> add_storey(Kit& kit, const Style& style, StoreyKind kind,
-                                                  int bays);
+                                                  int bays, int steps);
 /// Below the eaves, y from the top of the wall.
 [[nodiscard]] std::size_t add_cornice(Kit& kit, const Style& style, int bays);
 /// Two bays wide, around x = 0.

@@ -73,7 +73,7 @@ Tree make_tree(Kit& kit, int variant) {
     const double crown = random.draw(1.9, 2.4); // radius
     const glm::dvec3 heart(0.0, trunk + 0.75 * crown, 0.0);
     MeshBuilder wood;
-    const int around = kit.segments(6, 5);
+    const int around = kit.segments(5, 5);
     const glm::dvec3 top(random.draw(-0.2, 0.2), heart.y + 0.4 * crown, random.draw(-0.2, 0.2));
     add_branch(wood,
                {{0.0, -0.1, 0.0},
@@ -96,7 +96,7 @@ Tree make_tree(Kit& kit, int variant) {
         const glm::dvec3 start(0.5 * top.x, std::min(trunk - 0.5 + 0.2 * i, end.y - 0.2),
                                0.3 * top.z);
         add_branch(wood, {start, 0.5 * (start + end) + glm::dvec3(0.0, 0.12, 0.0), end}, 0.07, 0.02,
-                   kit.segments(4, 4));
+                   kit.segments(4, 3));
         for (int k = 0; k < leaves; ++k) {
             // Around the branch's outer part.
             const glm::dvec3 out = draw_direction(random);
@@ -108,7 +108,7 @@ Tree make_tree(Kit& kit, int variant) {
         }
     }
     const auto tint = static_cast<float>(random.draw(0.85, 1.15));
-    return {kit.add_mesh(wood.finish("tree_wood", kWood, 60.0)),
+    return {kit.add_mesh(wood.finish("tree_wood", kWood, 89.0)),
             kit.add_mesh(green.finish("tree_leaves", tint * glm::vec3(0.17f, 0.31f, 0.1f), 70.0))};
 }
 

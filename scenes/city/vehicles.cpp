@@ -27,22 +27,25 @@ Contour make_circle(double radius, int segments, double phase = 0.0) {
     return circle;
 }
 
-/// A tyre with a disk of five holes, around z: its turning can be seen.
+/// A tyre with a bar across its disk, around z: its turning can be seen. From two steps on the disk
+/// has holes.
 Mesh make_wheel(const Kit& kit, double radius) {
-    const int around = kit.segments(14, 10);
+    const int around = kit.segments(11, 10);
     MeshBuilder builder;
     add_plate(builder, -0.1, 0.2, make_circle(radius, around),
               {make_circle(0.66 * radius, around)});
     std::vector<Contour> holes;
-    for (int i = 0; i < 5; ++i) {
-        const double angle = 2.0 * kPi * i / 5;
+    constexpr int kHoles = 5;
+    for (int i = 0; i < kHoles && kit.steps() > 1; ++i) {
+        const double angle = 2.0 * kPi * i / kHoles;
         Contour hole = make_arc({0.42 * radius * std::cos(angle), 0.42 * radius * std::sin(angle)},
-                                {0.13 * radius, 0.13 * radius}, 0.0, 2.0 * kPi, kit.segments(6, 5));
+                                {0.13 * radius, 0.13 * radius}, 0.0, 2.0 * kPi, 4);
         hole.pop_back();
         holes.push_back(hole);
     }
     add_plate(builder, -0.06, 0.12, make_circle(0.7 * radius, around, 0.1), holes);
-    return builder.finish("wheel", {0.09f, 0.09f, 0.1f}, 35.0);
+    add_box(builder, {-0.6 * radius, -0.1 * radius, -0.08}, {0.6 * radius, 0.1 * radius, 0.08});
+    return builder.finish("wheel", {0.09f, 0.09f, 0.1f}, 40.0);
 }
 
 /// Side view of the car's lower body with cut-outs for the wheels.
