@@ -13,8 +13,12 @@ namespace {
 /// Of the reach. Courtyards are seen from the roofs only.
 constexpr double kCourtReach = 0.7;
 /// Of the reach: nearer houses have the finest storeys.
-constexpr double kFineReach = 0.5;
+constexpr double kFineReach = 0.35;
 constexpr double kBalconyReach = 0.9;
+
+/// An end wall is lower than the front by this much: where they meet, within the quoin, no faces
+/// share a plane. Metres.
+constexpr double kEndDrop = 0.013;
 
 using Meshes = std::vector<std::size_t>;
 
@@ -110,11 +114,11 @@ void add_facades(Kit& kit, const Plan& plan, const std::vector<Style>& styles) {
                   shift(lot.frame, {edge, lot.lift, 0.0}));
         if (lot.is_corner) {
             dress_street(kit, wardrobe, lot,
-                         shift(lot.frame, {edge, 0.0, -0.5 * kLotDepth}) *
+                         shift(lot.frame, {edge, -kEndDrop, -0.5 * kLotDepth}) *
                              make_frame(glm::dvec3(0.0), 3),
                          kEndBays);
             kit.place(wardrobe.get_quoin(lot.style, lot.storeys),
-                      shift(lot.frame, {edge, lot.lift, -kLotDepth}) *
+                      shift(lot.frame, {edge, lot.lift - kEndDrop, -kLotDepth}) *
                           make_frame(glm::dvec3(0.0), 3));
         }
         if (wardrobe.get_style(lot.style).has_balcony &&

@@ -30,8 +30,8 @@ std::size_t make_bollard(Kit& kit) {
     MeshBuilder builder;
     add_lathe_at(builder, {0.0, 0.0, 0.0},
                  {{0.09, -0.1}, {0.08, 0.75}, {0.11, 0.8}, {0.09, 0.88}, {0.0, 0.93}},
-                 kit.segments(8, 6));
-    return kit.add_mesh(builder.finish("bollard", kIron, 50.0));
+                 kit.segments(6, 6));
+    return kit.add_mesh(builder.finish("bollard", kIron, 80.0));
 }
 
 std::size_t make_bench(Kit& kit) {

@@ -9,6 +9,9 @@ namespace {
 constexpr double kHalfCity = 0.5 * kPitch * kBlocks + 60.0; ///< of the ground
 constexpr double kRail = 0.025;                             ///< height above the carriageway
 
+/// Of the reach: a kerb is as long as a block.
+constexpr double kKerbReach = 3.0;
+
 /// Cells of half a block: no triangle is so long that its attributes lose their bits.
 void add_carriageways(Kit& kit) {
     Sheet sheet;
@@ -54,7 +57,7 @@ std::size_t make_pavement(Kit& kit) {
         const double to = from + 0.5 * std::acos(-1.0);
         const Contour arc =
             make_arc({corner == 0 || corner == 3 ? middle : -middle, corner < 2 ? middle : -middle},
-                     {kRadius, kRadius}, from, to, kit.segments(4, 2));
+                     {kRadius, kRadius}, from, to, kit.segments(3, 2));
         outline.insert(outline.end(), arc.begin(), arc.end());
     }
     MeshBuilder builder;
@@ -100,7 +103,11 @@ void add_ground(Kit& kit, const Plan& plan) {
     for (const Block& block : plan.blocks) {
         kit.place(pavement, make_frame(block.middle));
         for (int turns = 0; turns < 4; ++turns) {
-            kit.place(kerb, make_frame(block.middle, turns));
+            const glm::dmat4 side = make_frame(block.middle, turns);
+            const glm::dvec3 middle(side * glm::dvec4(0.0, 0.0, kKerb, 1.0));
+            if (measure_distance_to_route(middle) < kKerbReach * kit.reach_m()) {
+                kit.place(kerb, side);
+            }
         }
         if (block.use != BlockUse::square) {
             kit.place(block.use == BlockUse::park ? park : court, make_frame(block.middle));

@@ -120,8 +120,8 @@ void add_pediment(MeshBuilder& builder, const Opening& opening, Pediment kind, i
     const auto draw = [&](double by) {
         Contour contour;
         if (kind == Pediment::gable) {
-            contour = {{opening.middle - half + 2.2 * by, y + 0.05 + by},
-                       {opening.middle + half - 2.2 * by, y + 0.05 + by},
+            contour = {{opening.middle - half + 3.5 * by, y + 0.05 + by},
+                       {opening.middle + half - 3.5 * by, y + 0.05 + by},
                        {opening.middle, y + 0.47 - by}};
         } else {
             contour = make_arc({opening.middle, y + 0.05 + by}, {half - by, 0.42 - 2.0 * by}, 0.0,

@@ -11,8 +11,9 @@
 namespace alcove::city {
 namespace {
 
-constexpr double kCrease = 35.0; // degrees
-constexpr double kSeam = 0.03;   ///< from a storey's floor to its wall, hidden by the belt
+constexpr double kCrease = 47.0;    // degrees: half a circle of four segments is smooth
+constexpr double kSeam = 0.03;      ///< from a storey's floor to its wall, hidden by the belt
+constexpr double kBeltBack = -0.07; ///< z, in the house, deeper than the back of a wall
 
 std::vector<Opening> list_openings(const Style& style, StoreyKind kind, int bays) {
     std::vector<Opening> openings;
@@ -38,13 +39,14 @@ void add_belt(MeshBuilder& builder, StoreyKind kind, int bays, int segments, int
     // The ground floor's wall ends lower where its house is not raised.
     const double low = kind == StoreyKind::noble ? -0.3 : -0.12;
     const double half = 0.5 * kBay * bays - 0.02;
-    Contour section{{-kSink, low}, {kFacade + 0.06, low}};
+    Contour section{{kBeltBack, low}, {kFacade + 0.06, low}};
     if (steps > 1) {
         const Contour swell = make_arc({kFacade + 0.06, low + 0.09}, {0.06, 0.06},
                                        -0.25 * std::numbers::pi, 0.5 * std::numbers::pi, segments);
         section.insert(section.end(), swell.begin(), swell.end());
     }
-    section.insert(section.end(), {{kFacade + 0.14, 0.06}, {kFacade + 0.14, 0.16}, {-kSink, 0.16}});
+    section.insert(section.end(),
+                   {{kFacade + 0.14, 0.06}, {kFacade + 0.14, 0.16}, {kBeltBack, 0.16}});
     add_bar(builder, section, -half, half);
 }
 
@@ -142,12 +144,12 @@ std::vector<std::size_t> add_storey(Kit& kit, const Style& style, StoreyKind kin
 
 std::size_t add_cornice(Kit& kit, const Style& style, int bays) {
     const double half = 0.5 * kBay * bays - 0.01;
-    Contour section{{-kSink, -0.93}, {kFacade + 0.1, -0.93}};
+    Contour section{{kBeltBack, -0.93}, {kFacade + 0.1, -0.93}};
     const Contour hollow = make_arc({kFacade + 0.4, -0.93}, {0.28, 0.2}, std::numbers::pi,
                                     0.5 * std::numbers::pi, kit.segments(3, 2));
     section.insert(section.end(), hollow.begin(), hollow.end());
     section.insert(section.end(),
-                   {{kFacade + 0.5, -0.72}, {kFacade + 0.5, -0.58}, {-kSink, -0.58}});
+                   {{kFacade + 0.5, -0.72}, {kFacade + 0.5, -0.58}, {kBeltBack, -0.58}});
     MeshBuilder builder;
     add_bar(builder, section, -half, half);
     const int blocks = kit.count(1.0, 1) * bays; // modillions

@@ -32,8 +32,7 @@ Contour make_circle(double radius, int segments, double phase = 0.0) {
 Mesh make_wheel(const Kit& kit, double radius) {
     const int around = kit.segments(11, 10);
     MeshBuilder builder;
-    add_plate(builder, -0.1, 0.2, make_circle(radius, around),
-              {make_circle(0.66 * radius, around)});
+    std::vector<Contour> rim;
     std::vector<Contour> holes;
     constexpr int kHoles = 5;
     for (int i = 0; i < kHoles && kit.steps() > 1; ++i) {
@@ -43,8 +42,15 @@ Mesh make_wheel(const Kit& kit, double radius) {
         hole.pop_back();
         holes.push_back(hole);
     }
-    add_plate(builder, -0.06, 0.12, make_circle(0.7 * radius, around, 0.1), holes);
-    add_box(builder, {-0.6 * radius, -0.1 * radius, -0.08}, {0.6 * radius, 0.1 * radius, 0.08});
+    if (kit.steps() > 1) {
+        rim.push_back(make_circle(0.66 * radius, around));
+    }
+    add_plate(builder, -0.1, 0.2, make_circle(radius, around), rim);
+    // Within the tyre's ring, or proud of its disk.
+    const double half = kit.steps() > 1 ? 0.06 : 0.11;
+    add_plate(builder, -half, 2.0 * half, make_circle(0.7 * radius, around, 0.1), holes);
+    add_box(builder, {-0.6 * radius, -0.1 * radius, -half - 0.02},
+            {0.6 * radius, 0.1 * radius, half + 0.02});
     return builder.finish("wheel", {0.09f, 0.09f, 0.1f}, 40.0);
 }
 
@@ -67,7 +73,7 @@ Contour draw_car(int arc, double by) {
 }
 
 std::vector<std::size_t> add_car(Kit& kit, const glm::vec3& paint) {
-    const int arc = kit.segments(8, 6);
+    const int arc = kit.segments(6, 6);
     MeshBuilder body;
     add_plate(body, -0.8, 1.6, draw_car(arc, 0.0));
     for (const double side : {-1.0, 1.0}) { // doors and wings bulge
