@@ -27,7 +27,7 @@ double get_column_x(int line) {
 }
 
 Kit::Kit(double detail, int seed)
-    : m_scale(std::sqrt(0.25 * detail)), m_has_ornament(detail >= 0.2),
+    : m_scale(std::sqrt(0.25 * detail)), m_has_ornament(detail >= 0.2), m_is_crowded(detail > 8.0),
       m_random(static_cast<std::uint64_t>(seed) * 2 + 1) {}
 
 int Kit::segments(int at_four, int minimum) const {

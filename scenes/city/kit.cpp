@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -99,21 +98,6 @@ void add_bar(MeshBuilder& builder, const Contour& section_zy, double from, doubl
     }
     add_extrusion(builder, {{from, 0.0, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}}, turned, {},
                   to - from);
-}
-
-void add_lathe_at(MeshBuilder& builder, const glm::dvec3& foot, const Contour& profile,
-                  int segments) {
-    std::vector<Ring> rings;
-    for (const glm::dvec2& point : profile) {
-        Ring ring;
-        for (int i = 0; i < segments; ++i) {
-            const double angle = -2.0 * std::numbers::pi * i / segments;
-            ring.push_back(
-                foot + glm::dvec3(point.x * std::cos(angle), point.y, point.x * std::sin(angle)));
-        }
-        rings.push_back(std::move(ring));
-    }
-    add_loft(builder, rings, LoftEnds::capped);
 }
 
 } // namespace alcove::city

@@ -49,8 +49,8 @@ class Kit {
     /// Number of things in a row or cluster that has `at_default` of them at detail 1; grows with
     /// the fourth root of detail.
     [[nodiscard]] int count(double at_default, int minimum) const;
-    /// Layers of a moulding: 1 below detail 4, else 2. With two, sashes, roofs, kerbs and wheels get
-    /// their parts.
+    /// Layers of a moulding: 1 below detail 4, else 2. With two, sashes, roofs, kerbs and wheels
+    /// get their parts.
     [[nodiscard]] int steps() const noexcept { return m_steps; }
     /// Things farther than this from where the walkthroughs pass are left out, metres: 24 m at
     /// detail 1, 546 m at detail 64.
@@ -88,8 +88,5 @@ class Kit {
 [[nodiscard]] Contour make_rectangle(double left, double bottom, double right, double top);
 /// A bar with a constant (z, y) section of either orientation, from x = `from` to `to`.
 void add_bar(MeshBuilder& builder, const Contour& section_zy, double from, double to);
-/// Surface of revolution around +y whose foot stands at `foot`.
-void add_lathe_at(MeshBuilder& builder, const glm::dvec3& foot, const Contour& profile,
-                  int segments);
 
 } // namespace alcove::city

@@ -17,14 +17,17 @@
 namespace alcove {
 namespace {
 
-std::unique_ptr<Scene> open(const std::string& detail, const std::string& seed = "1") {
+std::unique_ptr<Scene> open(const std::string& detail, const std::string& seed = "1",
+                            const std::string& walkthrough = "default") {
     const SceneUnit unit = cathedral_unit();
-    const std::vector<ParameterOverride> overrides{{"detail", detail}, {"seed", seed}};
+    const std::vector<ParameterOverride> overrides{
+        {"detail", detail}, {"seed", seed}, {"walkthrough", walkthrough}};
     return unit.open(unit.parameters.resolve(overrides, {}));
 }
 
 class CathedralDetail : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Range, CathedralDetail, testing::Values("0.125", "0.5", "1", "2.7", "8"),
+INSTANTIATE_TEST_SUITE_P(Range, CathedralDetail,
+                         testing::Values("0.125", "0.5", "1", "2.7", "8", "9"),
                          [](const auto& tested) {
                              std::string name = tested.param;
                              std::replace(name.begin(), name.end(), '.', '_');
@@ -43,6 +46,37 @@ TEST(Cathedral, CoversTwentyToTwoHundredThousandVertices) {
     }
 }
 
+TEST(Cathedral, ReachesTheSizeOfThePublishedWalkthrough) {
+    constexpr double kSibenik = 7'013'932.0; // TSSAO, table 2
+    EXPECT_NEAR(static_cast<double>(count_size(*open("256")).vertices), kSibenik, 0.03 * kSibenik);
+}
+
+TEST(Cathedral, KeepsItsGeometryUpToDetailEight) {
+    // Above, things are only added.
+    const std::unique_ptr<Scene> below = open("8");
+    const std::unique_ptr<Scene> above = open("8.0001");
+    ASSERT_GT(above->get_objects().size(), below->get_objects().size());
+    EXPECT_TRUE(std::equal(below->get_meshes().begin(), below->get_meshes().end(),
+                           above->get_meshes().begin(), [](const Mesh& a, const Mesh& b) {
+                               return a.name == b.name && a.positions.size() == b.positions.size();
+                           }));
+}
+
+TEST(Cathedral, TheCameraOfTheLongWalkthroughStaysClear) {
+    const std::unique_ptr<Scene> scene = open("9", "1", "full");
+    const std::vector<Camera>& cameras = scene->get_walkthrough().cameras;
+    ASSERT_EQ(cameras.size(), 3500u);
+    const Pose pose = scene->compute_pose(0.0);
+    for (std::size_t frame = 0; frame < cameras.size(); frame += 25) {
+        const glm::dvec3& eye = cameras[frame].position;
+        const Clearance clearance =
+            measure_clearance(collect_triangles_near(*scene, pose, eye, 0.5), eye);
+        EXPECT_GT(clearance.distance_m, 0.2) << "frame " << frame;
+        EXPECT_FALSE(clearance.inside) << "frame " << frame << " inside "
+                                       << scene->get_objects()[clearance.inside.value_or(0)].name;
+    }
+}
+
 TEST(Cathedral, IsDecidedByItsParametersAlone) {
     const std::string hash = hash_geometry(*open("1", "1"), 0.0);
     EXPECT_EQ(hash, hash_geometry(*open("1", "1"), 3.0));
@@ -52,7 +86,7 @@ TEST(Cathedral, IsDecidedByItsParametersAlone) {
 }
 
 TEST(Cathedral, RejectsParametersOutOfRange) {
-    EXPECT_THROW(static_cast<void>(open("9")), InputError);
+    EXPECT_THROW(static_cast<void>(open("257")), InputError);
     EXPECT_THROW(static_cast<void>(open("0.1")), InputError);
     EXPECT_THROW(static_cast<void>(open("1", "-1")), InputError);
 }
