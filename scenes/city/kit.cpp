@@ -15,7 +15,7 @@ namespace {
 /// Chosen so that detail 64 has at least the 21,934,980 vertices of the Vienna walkthrough, and at
 /// most 3 % more, in: O. Mattausch, D. Scherzer, M. Wimmer. High-Quality Screen-Space Ambient
 /// Occlusion using Temporal Coherence. 2010, table 2.
-constexpr double kReachGrowth = 0.7515;
+constexpr double kReachGrowth = 0.7362;
 
 } // namespace
 

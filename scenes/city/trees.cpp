@@ -48,19 +48,20 @@ void add_branch(MeshBuilder& builder, const std::vector<glm::dvec3>& path, doubl
     add_loft(builder, rings, LoftEnds::capped);
 }
 
-/// A flat, pointed body of eight faces.
-void add_leaf(MeshBuilder& builder, const glm::dvec3& middle, const glm::dvec3& normal,
-              double size) {
-    const glm::dvec3 x = glm::normalize(glm::cross(
-        std::abs(normal.y) > 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0), normal));
-    const glm::dvec3 y = glm::cross(normal, x);
-    const std::array<glm::dvec3, 4> rim{middle + size * x, middle + 0.6 * size * y,
-                                        middle - size * x, middle - 0.6 * size * y};
+/// A flat body of eight faces, pointed at both ends: one end is `root`, from which it reaches
+/// `length` along the unit vector `way`.
+void add_leaf(MeshBuilder& builder, const glm::dvec3& root, const glm::dvec3& way, double length) {
+    const glm::dvec3 side = glm::normalize(glm::cross(
+        way, std::abs(way.y) > 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0)));
+    const glm::dvec3 normal = glm::cross(side, way);
+    const glm::dvec3 middle = root + 0.55 * length * way;
+    const std::array<glm::dvec3, 4> rim{root, middle + 0.3 * length * side, root + length * way,
+                                        middle - 0.3 * length * side};
     std::array<std::uint32_t, 4> points{};
     std::transform(rim.begin(), rim.end(), points.begin(),
                    [&builder](const glm::dvec3& point) { return builder.add_point(point); });
-    const std::uint32_t above = builder.add_point(middle + 0.22 * size * normal);
-    const std::uint32_t below = builder.add_point(middle - 0.14 * size * normal);
+    const std::uint32_t above = builder.add_point(middle + 0.1 * length * normal);
+    const std::uint32_t below = builder.add_point(middle + 0.02 * length * normal);
     for (std::size_t i = 0; i < 4; ++i) {
         builder.add_triangle(points[i], points[(i + 1) % 4], above);
         builder.add_triangle(points[(i + 1) % 4], points[i], below);
@@ -84,8 +85,8 @@ Tree make_tree(Kit& kit, int variant) {
                0.2, 0.04, around);
     // Each branch carries a cluster of leaves, so that the crown is no mere ball.
     constexpr int kBranches = 9;
-    const int leaves = kit.count(4.0, 3);
-    const double size = 0.62 * crown / std::sqrt(static_cast<double>(leaves));
+    const int leaves = kit.count(8.0, 6);
+    const double length = 1.35 * crown / std::sqrt(static_cast<double>(leaves));
     MeshBuilder green;
     for (int i = 0; i < kBranches; ++i) {
         const double angle = 2.4 * i + random.draw(-0.3, 0.3); // the golden angle
@@ -98,13 +99,13 @@ Tree make_tree(Kit& kit, int variant) {
         add_branch(wood, {start, 0.5 * (start + end) + glm::dvec3(0.0, 0.12, 0.0), end}, 0.07, 0.02,
                    kit.segments(4, 3));
         for (int k = 0; k < leaves; ++k) {
-            // Around the branch's outer part.
-            const glm::dvec3 out = draw_direction(random);
-            const double s = random.draw(0.45, 1.0);
-            const glm::dvec3 twig = start + s * (end - start);
-            const double away = random.draw(0.25, 0.85) * size + 0.16 * crown * random.draw_unit();
-            add_leaf(green, twig + away * out, glm::normalize(out + glm::dvec3(0.0, 0.9, 0.0)),
-                     size * random.draw(0.8, 1.2));
+            // From the branch's outer part, away from the heart of the crown.
+            const glm::dvec3 twig = start + (0.4 + 0.6 * (k + 0.5) / leaves) * (end - start) +
+                                    glm::dvec3(0.0, 0.02, 0.0);
+            const glm::dvec3 way =
+                glm::normalize(draw_direction(random) + 0.7 * glm::normalize(end - start) +
+                               glm::dvec3(0.0, 0.15, 0.0));
+            add_leaf(green, twig, way, length * random.draw(0.8, 1.2));
         }
     }
     const auto tint = static_cast<float>(random.draw(0.85, 1.15));

@@ -142,10 +142,11 @@ std::vector<std::size_t> add_tram(Kit& kit) {
     MeshBuilder dark;
     add_loft(dark, {ring(0.16, 1.2), ring(0.14, 2.7)}, LoftEnds::capped);
     for (const double x : {-4.8, 0.0, 4.8}) {
-        for (const double side : {-1.0, 1.0}) { // door leaves before the side
+        for (const double side :
+             {-1.0, 1.0}) { // door leaves, from behind the glass to before the side
             for (const double leaf : {-0.34, 0.34}) {
-                add_box(dark, {x + leaf - 0.31, 0.6, side * 1.13 - 0.06},
-                        {x + leaf + 0.31, 2.5, side * 1.13 + 0.06});
+                add_box(dark, {x + leaf - 0.31, 0.6, side * 1.045 - 0.145},
+                        {x + leaf + 0.31, 2.5, side * 1.045 + 0.145});
             }
         }
     }
