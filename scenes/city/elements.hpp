@@ -17,7 +17,7 @@ void add_facades(Kit& kit, const Plan& plan, const std::vector<Style>& styles);
 void add_church(Kit& kit, const Plan& plan);    ///< church.cpp: on the square
 void add_trees(Kit& kit, const Plan& plan);     ///< trees.cpp: along streets, in parks and courts
 void add_furniture(Kit& kit, const Plan& plan); ///< furniture.cpp: lamps, bollards, benches
-void add_vehicles(Kit& kit, Movers& movers);    ///< vehicles.cpp: cars, trams
+void add_vehicles(Kit& kit, Movers& movers);    ///< vehicles.cpp: traffic and parked cars
 void add_figures(Kit& kit, Movers& movers);     ///< figures.cpp: pedestrians
 
 } // namespace alcove::city

@@ -53,7 +53,7 @@ class Kit {
     /// get their parts.
     [[nodiscard]] int steps() const noexcept { return m_steps; }
     /// Things farther than this from where the walkthroughs pass are left out, metres: 24 m at
-    /// detail 1, 546 m at detail 64.
+    /// detail 1, 513 m at detail 64.
     [[nodiscard]] double reach_m() const noexcept { return m_reach_m; }
     /// Numbers that depend on the seed and on `salt` alone, so that a building is the same at every
     /// detail.
