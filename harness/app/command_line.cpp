@@ -137,6 +137,7 @@ int run_command_line(int argc, char** argv) {
         [&](CLI::App& verb) { return add_stability_verb(verb, line); });
     add("plan", "the effects a scene calls for, with evidence and saving", add_plan_verb);
     add("recommend", "the fastest cell of a run with a quality", add_recommend_verb);
+    add("scene", "export a scene as glTF", add_scene_verb);
     add("why", "which ingredient made a cell run or be reused", add_why_verb);
     add("cache", "path, size, verify, prune", add_cache_verb);
     add("doctor", "context, driver, timer validation", add_doctor_verb);

@@ -123,7 +123,8 @@ class ExperimentReader {
                    const std::optional<FrameChoice>& frames) {
         table.with_place(key, [&] {
             if (is_scene_file(spec)) {
-                spec = resolve_inside(m_folder, spec).string();
+                spec = resolve_scene_file(
+                    spec, [&](const std::string& path) { return resolve_inside(m_folder, path); });
             } else {
                 static_cast<void>(choose_scene(m_units.scenes, spec));
             }
@@ -154,7 +155,10 @@ class ExperimentReader {
                 add_scene(scene, "use", *spec, frames);
             }
             for (const std::string& walkthrough : walkthroughs) {
-                const char* const separator = spec->find(':') == std::string::npos ? ":" : ",";
+                // Behind the path of a file, a colon starts its options.
+                const std::string path = is_scene_file(*spec) ? get_scene_file(*spec) : "";
+                const char* const separator =
+                    spec->find(':', path.size()) == std::string::npos ? ":" : ",";
                 add_scene(scene, "walkthroughs", *spec + separator + "walkthrough=" + walkthrough,
                           frames);
             }

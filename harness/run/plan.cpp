@@ -1,5 +1,6 @@
 #include "harness/run/plan.hpp"
 
+#include "core/base/hash.hpp"
 #include "harness/run/effects_planner.hpp"
 #include "harness/run/history_record.hpp"
 #include "harness/run/scene_source.hpp"
@@ -184,9 +185,10 @@ class ScenePlanner {
 
     void add_round(RoundRecord round, const Target& target, const std::vector<MethodSpec>& specs) {
         const std::string number = std::to_string(m_record.rounds.size() + 1);
-        const std::string scene = is_scene_file(round.scene)
-                                      ? std::filesystem::path(round.scene).stem().string()
-                                      : round.scene;
+        const std::string scene =
+            is_scene_file(round.scene)
+                ? std::filesystem::path(get_scene_file(round.scene)).stem().string()
+                : round.scene;
         round.id = "r" + std::string(number.size() < 3 ? 3 - number.size() : 0, '0') + number +
                    "-" + make_id(scene);
         const MethodUnit& anchor = m_units.methods.find("anchor");
@@ -214,6 +216,20 @@ void describe_scene(const SceneUnit& unit, PlanRecord& record) {
     if (!is_described) {
         record.scenes.push_back(
             {unit.name, unit.title, unit.stresses, unit.license, unit.content_hash});
+    }
+}
+
+/// Once a file, with the content of all its specifications.
+void describe_file(const std::string& spec, PlanRecord& record) {
+    const std::string file = get_scene_file(spec);
+    const std::string content = hash_scene_file(spec);
+    const auto known =
+        std::find_if(record.scenes.begin(), record.scenes.end(),
+                     [&file](const SceneDescription& scene) { return scene.name == file; });
+    if (known == record.scenes.end()) {
+        record.scenes.push_back({file, "glTF file of the user", "", "not stated", content});
+    } else {
+        known->content_hash = Hasher().add(known->content_hash).add(content).finish_hex();
     }
 }
 
@@ -252,7 +268,9 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
         std::string name = choice.spec;
         if (is_scene_file(name)) {
             // A run may be continued from another folder.
-            name = std::filesystem::absolute(name).lexically_normal().string();
+            name = resolve_scene_file(name, [](const std::string& path) {
+                return std::filesystem::absolute(path).lexically_normal();
+            });
         }
         if (!is_scene_file(name)) {
             const SceneUnit unit = choose_scene(units.scenes, name).unit;
@@ -262,7 +280,7 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
             }
             describe_scene(unit, record);
         } else {
-            record.scenes.push_back({name, "glTF file of the user", "", "not stated", ""});
+            describe_file(name, record);
         }
         planner.add(name, *open_scene(units.scenes, name, plan.warnings),
                     choice.frames.value_or(experiment.frames));

@@ -1,16 +1,10 @@
 #include "harness/run/scene_source.hpp"
 
 #include "core/base/text.hpp"
-#include "scenes/common/gltf_scene.hpp"
 
 #include <algorithm>
 
 namespace alcove {
-
-bool is_scene_file(std::string_view spec) {
-    return spec.ends_with(".gltf") || spec.ends_with(".glb") ||
-           spec.find('/') != std::string_view::npos;
-}
 
 SceneSpec parse_scene_spec(std::string_view text) {
     SceneSpec spec;
@@ -41,7 +35,7 @@ std::unique_ptr<Scene> open_scene(const Registry<SceneUnit>& scenes, const std::
                                   std::vector<std::string>& warnings) {
     std::unique_ptr<Scene> scene;
     if (is_scene_file(spec)) {
-        scene = open_gltf_scene(spec, {}, &warnings);
+        scene = open_scene_file(spec, warnings);
     } else {
         const ChosenScene chosen = choose_scene(scenes, spec);
         if (const std::optional<std::string> obstacle = chosen.unit.find_obstacle()) {

@@ -2,6 +2,7 @@
 // Scenes by specification or by path.
 
 #include "core/contract/scene.hpp"
+#include "harness/run/scene_file.hpp"
 
 #include <memory>
 #include <string>
@@ -9,9 +10,6 @@
 #include <vector>
 
 namespace alcove {
-
-/// True for a path to a .gltf or .glb file.
-[[nodiscard]] bool is_scene_file(std::string_view spec);
 
 /// "NAME[:key=value,...]" of a registered scene.
 struct SceneSpec {
@@ -31,8 +29,9 @@ struct ChosenScene {
 /// out of range.
 [[nodiscard]] ChosenScene choose_scene(const Registry<SceneUnit>& scenes, std::string_view spec);
 
-/// A registered scene by its specification, or anybody's glTF by its path. Warnings of the file go
-/// to `warnings`. Throws InputError as choose_scene does, and if the scene cannot be opened here.
+/// A registered scene by its specification, or anybody's glTF by its path (scene_file.hpp).
+/// Warnings of the file go to `warnings`. Throws InputError as choose_scene does, and if the scene
+/// cannot be opened here.
 [[nodiscard]] std::unique_ptr<Scene> open_scene(const Registry<SceneUnit>& scenes,
                                                 const std::string& spec,
                                                 std::vector<std::string>& warnings);

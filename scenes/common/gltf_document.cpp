@@ -2,8 +2,13 @@
 
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
+#include "scenes/common/gltf_container.hpp"
+#include "scenes/common/gltf_uri.hpp"
 
+#include <algorithm>
+#include <array>
 #include <map>
+#include <span>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -15,86 +20,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
-constexpr int kDeepestJson = 256; ///< the parser recurses into `extras`
+/// What a small file may make us read, and a large one a byte: views may be shared by accessors.
+constexpr std::size_t kSmallFileBytes = std::size_t{1} << 30;
+constexpr std::size_t kBytesPerByte = 16;
+constexpr std::array<std::string_view, 3> kExtensions{
+    "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual"};
 
-std::uint32_t read_u32(std::string_view bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    for (std::size_t i = 0; i < 4; ++i) {
-        value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[at + i])) << (8 * i);
-    }
-    return value;
-}
-
-bool is_binary(std::string_view bytes) {
-    return bytes.substr(0, 4) == "glTF";
-}
-
-/// The JSON text of a binary container. Throws unless header and chunks fit the file.
-std::string_view find_json_chunk(std::string_view bytes, const std::string& file) {
-    constexpr std::size_t kHeader = 20;
-    if (bytes.size() < kHeader) {
-        throw InputError(file, "truncated header", std::to_string(bytes.size()) + " bytes",
-                         "at least 20");
-    }
-    if (read_u32(bytes, 4) != 2) {
-        throw InputError(file, "unsupported GLB version", std::to_string(read_u32(bytes, 4)), "2");
-    }
-    const std::size_t length = read_u32(bytes, 8);
-    const std::size_t json_length = read_u32(bytes, 12);
-    if (length != bytes.size()) {
-        throw InputError(file, "truncated or padded: its header tells another length",
-                         std::to_string(bytes.size()) + " bytes", std::to_string(length));
-    }
-    if (read_u32(bytes, 16) != 0x4E4F534Au || json_length == 0 || json_length % 4 != 0 ||
-        json_length > length - kHeader) {
-        throw InputError(file, "first chunk is not JSON within the file",
-                         std::to_string(json_length) + " bytes",
-                         "at most " + std::to_string(length - kHeader) + ", a multiple of 4");
-    }
-    const std::size_t rest = length - kHeader - json_length;
-    if (rest != 0 && (rest < 8 || read_u32(bytes, kHeader + json_length) > rest - 8)) {
-        throw InputError(file, "second chunk is truncated", std::to_string(rest) + " bytes");
-    }
-    return bytes.substr(kHeader, json_length);
-}
-
-/// Before any parser runs: neither ours nor tinygltf's may be driven into deep recursion.
-void check_depth(std::string_view text, const std::string& file) {
-    int depth = 0;
-    bool in_string = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (in_string) {
-            i += c == '\\' ? 1 : 0;
-            in_string = c != '"';
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '[' || c == '{') {
-            if (++depth > kDeepestJson) {
-                throw InputError(file, "JSON nested too deeply",
-                                 "more than " + std::to_string(kDeepestJson) + " levels");
-            }
-        } else if (c == ']' || c == '}') {
-            --depth;
-        }
-    }
-}
-
-std::string decode_percent(std::string_view uri) {
-    const auto digit = [](char c) {
-        const std::string_view digits = "0123456789abcdef";
-        const char lower = c >= 'A' && c <= 'F' ? static_cast<char>(c - 'A' + 'a') : c;
-        return digits.find(lower);
-    };
+std::string join(std::span<const std::string_view> names) {
     std::string text;
-    for (std::size_t i = 0; i < uri.size(); ++i) {
-        if (uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1]) < 16 &&
-            digit(uri[i + 2]) < 16) {
-            text += static_cast<char>(digit(uri[i + 1]) * 16 + digit(uri[i + 2]));
-            i += 2;
-        } else {
-            text += uri[i];
-        }
+    for (const std::string_view name : names) {
+        text += (text.empty() ? "" : ", ") + std::string(name);
     }
     return text;
 }
@@ -129,11 +64,7 @@ FileMap resolve_buffers(const nlohmann::json& json, const fs::path& path) {
             continue;
         }
         const std::string decoded = decode_percent(uri);
-        try {
-            files[decoded] = resolve_inside(path.parent_path(), decoded);
-        } catch (const Error& error) {
-            throw InputError(where + ".uri", error.what());
-        }
+        files[decoded] = resolve_gltf_uri(path, decoded, where + ".uri");
         std::error_code error;
         const std::uintmax_t size = fs::file_size(files[decoded], error);
         if (error || size > kLargestFile || size < buffer["byteLength"].get<std::uint64_t>()) {
@@ -158,8 +89,11 @@ void check_json(const nlohmann::json& json, const std::string& file) {
     }
     if (const auto required = json.find("extensionsRequired"); required != json.end()) {
         for (const nlohmann::json& name : *required) {
-            throw InputError(file + ": extensionsRequired", "not supported",
-                             name.is_string() ? name.get<std::string>() : name.dump(), "none");
+            if (!name.is_string() || !is_known_gltf_extension(name.get<std::string>())) {
+                throw InputError(file + ": extensionsRequired", "not supported",
+                                 name.is_string() ? name.get<std::string>() : name.dump(),
+                                 "only " + join(kExtensions));
+            }
         }
     }
     // The parser takes the address of an image's first byte before it asks the loader.
@@ -227,8 +161,13 @@ tinygltf::FsCallbacks make_callbacks(FileMap& files) {
     return callbacks;
 }
 
-bool ignore_image(tinygltf::Image*, const int, std::string*, std::string*, int, int,
-                  const unsigned char*, int, void*) {
+/// Keeps what a data URI encodes; decoding is gltf_texture's. Of a buffer view, the parser has not
+/// checked the length.
+bool keep_image(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
+                const unsigned char* bytes, int size, void*) {
+    if (image->bufferView < 0) {
+        image->image.assign(bytes, bytes + size);
+    }
     return true;
 }
 
@@ -238,13 +177,23 @@ std::string GltfDocument::name(const char* list, std::int64_t index) const {
     return file + ": " + list + "[" + std::to_string(index) + "]";
 }
 
+void GltfDocument::charge(std::size_t bytes, const std::string& where) const {
+    if (bytes > *allowance) {
+        throw InputError(where, "the file unfolds into far more data than it holds", {},
+                         "at most 1 GiB and 16 times its size");
+    }
+    *allowance -= bytes;
+}
+
+bool is_known_gltf_extension(std::string_view name) {
+    return std::find(kExtensions.begin(), kExtensions.end(), name) != kExtensions.end();
+}
+
 GltfDocument load_gltf(const fs::path& path) {
     GltfDocument document;
     document.file = path.string();
     const std::string bytes = read_file(path, kLargestFile);
-    const std::string_view text =
-        is_binary(bytes) ? find_json_chunk(bytes, document.file) : std::string_view(bytes);
-    check_depth(text, document.file);
+    const std::string_view text = find_gltf_json(bytes, document.file);
     FileMap files;
     std::string error;
     std::string warning;
@@ -256,11 +205,11 @@ GltfDocument load_gltf(const fs::path& path) {
         files = resolve_buffers(json, path);
         tinygltf::TinyGLTF loader;
         loader.SetFsCallbacks(make_callbacks(files));
-        loader.SetImageLoader(ignore_image, nullptr);
+        loader.SetImageLoader(keep_image, nullptr);
         const auto size = static_cast<unsigned int>(bytes.size());
         // Without a base folder the callbacks get the URIs as they stand.
         loaded =
-            is_binary(bytes)
+            is_glb(bytes)
                 ? loader.LoadBinaryFromMemory(model.get(), &error, &warning,
                                               reinterpret_cast<const unsigned char*>(bytes.data()),
                                               size, "")
@@ -271,8 +220,20 @@ GltfDocument load_gltf(const fs::path& path) {
         throw InputError(document.file, "is not valid glTF: " + std::string(failure.what()));
     }
     if (!loaded || !error.empty()) {
+        std::replace(error.begin(), error.end(), '\n', ' ');
         throw InputError(document.file, "is not valid glTF: " + error);
     }
+    std::size_t byte_count = bytes.size();
+    for (const tinygltf::Buffer& buffer : model->buffers) {
+        byte_count += buffer.data.size();
+    }
+    document.allowance =
+        std::make_shared<std::size_t>(kSmallFileBytes + kBytesPerByte * byte_count);
+    const auto uses = [&model](const std::vector<std::string>& names) {
+        return std::find(names.begin(), names.end(), "KHR_mesh_quantization") != names.end();
+    };
+    document.is_quantised = uses(model->extensionsUsed) || uses(model->extensionsRequired);
+    document.path = path;
     document.model = model;
     return document;
 }

@@ -2,8 +2,10 @@
 
 #include "core/base/error.hpp"
 #include "scenes/common/gltf_accessor.hpp"
+#include "scenes/common/gltf_morph.hpp"
+#include "scenes/common/gltf_skin.hpp"
+#include "scenes/common/gltf_surface.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -62,21 +64,48 @@ glm::vec3 compute_face_normal(const Mesh& mesh, std::size_t triangle) {
                                                  : glm::vec3(0.0f, 1.0f, 0.0f);
 }
 
-/// Three vertices a triangle, each with the face's normal.
-void make_flat(Mesh& mesh) {
-    std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;
-    positions.reserve(mesh.indices.size());
-    normals.reserve(mesh.indices.size());
-    for (std::size_t triangle = 0; triangle < mesh.indices.size() / 3; ++triangle) {
-        for (std::size_t place = 0; place < 3; ++place) {
-            positions.push_back(mesh.positions[mesh.indices[3 * triangle + place]]);
-            normals.push_back(compute_face_normal(mesh, triangle));
+template <class T>
+void reorder(std::vector<T>& values, const std::vector<std::uint32_t>& order) {
+    if (values.empty()) {
+        return;
+    }
+    std::vector<T> ordered;
+    ordered.reserve(order.size());
+    for (const std::uint32_t index : order) {
+        ordered.push_back(values[index]);
+    }
+    values = std::move(ordered);
+}
+
+void reorder(SkinInfluences& influences, const std::vector<std::uint32_t>& order) {
+    SkinInfluences ordered{influences.per_vertex, {}, {}};
+    for (const std::uint32_t index : order) {
+        for (std::size_t i = 0; i < influences.per_vertex; ++i) {
+            const std::size_t from = index * influences.per_vertex + i;
+            ordered.joints.push_back(influences.joints[from]);
+            ordered.weights.push_back(influences.weights[from]);
         }
     }
-    mesh.positions = std::move(positions);
-    mesh.normals = std::move(normals);
+    influences = std::move(ordered);
+}
+
+/// Three vertices a triangle, each with the face's normal. Returns the vertices they were made of.
+std::vector<std::uint32_t> make_flat(GltfPrimitive& primitive) {
+    Mesh& mesh = primitive.mesh;
+    const std::vector<std::uint32_t> order = mesh.indices;
+    mesh.normals.reserve(order.size());
+    for (std::size_t corner = 0; corner < order.size(); ++corner) {
+        mesh.normals.push_back(compute_face_normal(mesh, corner / 3));
+    }
+    reorder(mesh.positions, order);
+    reorder(mesh.colors, order);
+    reorder(mesh.texture_coordinates, order);
+    if (primitive.deformers.influences) {
+        reorder(*primitive.deformers.influences, order);
+    }
     std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
+    primitive.deformers.is_flat = true;
+    return order;
 }
 
 /// Normals of any length become unit; those without one take the normal of a face at their vertex.
@@ -95,27 +124,6 @@ void normalise(Mesh& mesh) {
             mesh.normals[mesh.indices[i]] = compute_face_normal(mesh, i / 3);
         }
     }
-}
-
-glm::vec3 find_albedo(const GltfDocument& document, int material, const std::string& where) {
-    if (material < 0) {
-        return glm::vec3(1.0f);
-    }
-    if (static_cast<std::size_t>(material) >= document.model->materials.size()) {
-        throw InputError(where + ".material", "no such material", std::to_string(material),
-                         "less than " + std::to_string(document.model->materials.size()));
-    }
-    const std::vector<double>& factor =
-        document.model->materials[static_cast<std::size_t>(material)]
-            .pbrMetallicRoughness.baseColorFactor;
-    const bool in_range = factor.size() == 4 &&
-                          std::all_of(factor.begin(), factor.end(),
-                                      [](double value) { return value >= 0.0 && value <= 1.0; });
-    if (!in_range) {
-        throw InputError(document.name("materials", material) + ".baseColorFactor", "out of range",
-                         {}, "four numbers from 0 to 1");
-    }
-    return glm::vec3(glm::dvec3(factor[0], factor[1], factor[2]));
 }
 
 } // namespace
@@ -138,35 +146,56 @@ std::optional<std::size_t> count_vertices(const GltfDocument& document, int mesh
     return source.mode == TINYGLTF_MODE_TRIANGLES ? corners : corners * 3;
 }
 
-Mesh read_primitive(const GltfDocument& document, int mesh, int primitive) {
+GltfPrimitive read_primitive(const GltfDocument& document, int mesh, int primitive,
+                             GltfTextures& textures, GltfWarnings& warnings) {
     const tinygltf::Primitive& source = find_primitive(document, mesh, primitive);
     const std::string where = name_primitive(document, mesh, primitive);
-    Mesh result;
+    GltfPrimitive result;
+    Mesh& made = result.mesh;
     const std::string& name = document.model->meshes[static_cast<std::size_t>(mesh)].name;
-    result.name =
+    made.name =
         (name.empty() ? "mesh" + std::to_string(mesh) : name) + "." + std::to_string(primitive);
-    result.albedo = find_albedo(document, source.material, where);
-    result.positions = read_vectors(document, find_attribute(source, "POSITION"));
-    std::vector<std::uint32_t> corners(result.positions.size());
+    made.positions =
+        read_vectors(document, find_attribute(source, "POSITION"), GltfNumbers::quantised);
+    const std::size_t vertices = made.positions.size();
+    std::vector<std::uint32_t> corners;
     if (source.indices >= 0) {
-        corners = read_indices(document, source.indices, result.positions.size());
+        corners = read_indices(document, source.indices, 1, vertices);
     } else {
+        document.charge(vertices * sizeof(std::uint32_t), where);
+        corners.resize(vertices);
         std::iota(corners.begin(), corners.end(), 0u);
     }
-    result.indices = list_triangles(corners, source.mode, where);
+    document.charge(3 * corners.size() * sizeof(std::uint32_t), where);
+    made.indices = list_triangles(corners, source.mode, where);
+    read_surface(document, source, where, textures, warnings, made);
+    result.deformers.influences = read_influences(document, source, vertices, where, warnings);
     const int normals = find_attribute(source, "NORMAL");
+    std::vector<std::uint32_t> order;
     if (normals < 0) {
-        make_flat(result);
-        return result;
+        constexpr std::size_t kMostBytesAVertex = 128;
+        document.charge(made.indices.size() * kMostBytesAVertex, where);
+        order = make_flat(result);
+    } else {
+        made.normals = read_vectors(document, normals, GltfNumbers::quantised);
+        if (made.normals.size() != vertices) {
+            throw InputError(where, "NORMAL and POSITION differ in number",
+                             std::to_string(made.normals.size()), std::to_string(vertices));
+        }
+        normalise(made);
+        order.resize(vertices);
+        std::iota(order.begin(), order.end(), 0u);
     }
-    result.normals = read_vectors(document, normals);
-    if (result.normals.size() != result.positions.size()) {
-        throw InputError(where, "NORMAL and POSITION differ in number",
-                         std::to_string(result.normals.size()),
-                         std::to_string(result.positions.size()));
-    }
-    normalise(result);
+    result.deformers.targets = read_morph_targets(document, source, order, vertices, where);
     return result;
+}
+
+void turn_triangles(GltfPrimitive& primitive) {
+    std::vector<std::uint32_t>& indices = primitive.mesh.indices;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        std::swap(indices[i + 1], indices[i + 2]);
+    }
+    primitive.deformers.is_turned = !primitive.deformers.is_turned;
 }
 
 } // namespace alcove

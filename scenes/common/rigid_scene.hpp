@@ -3,9 +3,9 @@
 // from `open`.
 
 #include "core/contract/scene.hpp"
+#include "scenes/common/object_tracks.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 namespace alcove {
@@ -43,17 +43,14 @@ class RigidScene final : public Scene {
     }
     [[nodiscard]] double get_ao_radius_m() const override { return m_content.ao_radius_m; }
     [[nodiscard]] glm::dvec3 get_origin() const override { return m_content.origin; }
-    /// The rest transforms with the motion of the tracks (compute_motion) in front of them, at
-    /// frame time_s / step_s. A time within 1e-9 frames of a frame counts as that frame, since f *
-    /// step_s / step_s may miss f by a bit.
+    /// The rest transforms with the motion of the tracks in front of them (ObjectTracks::apply).
     [[nodiscard]] Pose compute_pose(double time_s) const override;
     /// False exactly if a track has two places.
-    [[nodiscard]] bool is_static() const override { return m_is_static; }
+    [[nodiscard]] bool is_static() const override { return !m_tracks.move_any(); }
 
   private:
     RigidSceneContent m_content; ///< cameras already in the world, transforms not
-    std::vector<std::optional<std::size_t>> m_tracks; ///< of each object, into the walkthrough's
-    bool m_is_static = true;
+    ObjectTracks m_tracks;
 };
 
 } // namespace alcove

@@ -18,14 +18,13 @@
 namespace alcove {
 namespace {
 
-constexpr std::int64_t kVersion = 2;
 constexpr std::int64_t kMostFrames = 100'000;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
 
 void check_version(const JsonPlace& place) {
     using Limits = std::numeric_limits<std::int64_t>;
-    if (place.read_integer(Limits::min(), Limits::max()) != kVersion) {
-        place.fail("unknown version", std::to_string(kVersion));
+    if (place.read_integer(Limits::min(), Limits::max()) != kWalkthroughVersion) {
+        place.fail("unknown version", std::to_string(kWalkthroughVersion));
     }
 }
 

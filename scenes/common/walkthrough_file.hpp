@@ -32,6 +32,8 @@
 
 namespace alcove {
 
+inline constexpr int kWalkthroughVersion = 2;
+
 /// Reads the text of a walkthrough; `file` is what errors call it. Throws InputError naming file
 /// and place, e.g. "walkthrough.json: keys[2].position", on other versions, unknown, missing or
 /// repeated keys, wrong types, numbers beyond 1e9, more than 100,000 frames, frames that do not

@@ -1,8 +1,4 @@
-#include "scenes/common/gltf_scene.hpp"
-
-#include "core/base/error.hpp"
-
-#include <unistd.h>
+#include "tests/scenes/common/gltf_fixture.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -20,109 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-template <class T>
-void append(std::string& bytes, const std::vector<T>& values) {
-    const std::size_t at = bytes.size();
-    bytes.resize(at + values.size() * sizeof(T));
-    std::memcpy(bytes.data() + at, values.data(), values.size() * sizeof(T));
-}
-
-/// Four corners of a unit square in the plane z = 0 as 48 bytes, then the indices of its two
-/// triangles as u16.
-std::string make_square() {
-    std::string bytes;
-    append<float>(bytes, {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
-    append<std::uint16_t>(bytes, {0, 1, 2, 0, 2, 3});
-    return bytes;
-}
-
-/// The parts of a file that tests replace.
-struct Parts {
-    std::string buffers = R"([{"uri":"square.bin","byteLength":60}])";
-    std::string views =
-        R"([{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}])";
-    std::string accessors =
-        R"([{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
-        R"({"bufferView":1,"componentType":5123,"count":6,"type":"SCALAR"}])";
-    std::string primitive = R"({"attributes":{"POSITION":0},"indices":1})";
-    std::string nodes = R"([{"mesh":0}])";
-    std::string scene_nodes = "[0]";
-    std::string more; ///< further top-level members, each with a leading comma
-
-    [[nodiscard]] std::string text() const {
-        return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":)" + scene_nodes +
-               R"(}],"nodes":)" + nodes + R"(,"meshes":[{"primitives":[)" + primitive +
-               R"(]}],"accessors":)" + accessors + R"(,"bufferViews":)" + views + R"(,"buffers":)" +
-               buffers + more + "}";
-    }
-};
-
-void append_u32(std::string& bytes, std::size_t value) {
-    append<std::uint32_t>(bytes, {static_cast<std::uint32_t>(value)});
-}
-
-std::string make_glb(std::string json, std::string binary) {
-    json.resize((json.size() + 3) / 4 * 4, ' ');
-    binary.resize((binary.size() + 3) / 4 * 4, '\0');
-    std::string glb = "glTF";
-    append_u32(glb, 2);
-    append_u32(glb, 12 + 8 + json.size() + 8 + binary.size());
-    append_u32(glb, json.size());
-    append_u32(glb, 0x4E4F534A);
-    glb += json;
-    append_u32(glb, binary.size());
-    append_u32(glb, 0x004E4942);
-    return glb + binary;
-}
-
-class GltfScene : public testing::Test {
-  protected:
-    void SetUp() override {
-        const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-        m_folder = fs::temp_directory_path() /
-                   ("alcove-gltf-" + test + "-" + std::to_string(::getpid())) / "inner";
-        fs::create_directories(m_folder);
-        write("square.bin", make_square());
-    }
-    void TearDown() override { fs::remove_all(m_folder.parent_path()); }
-
-    void write(const std::string& name, const std::string& bytes) const {
-        std::ofstream(m_folder / name, std::ios::binary) << bytes;
-    }
-
-    std::unique_ptr<Scene> open(const std::string& bytes, const GltfOptions& options = {}) {
-        write("scene.gltf", bytes);
-        m_warnings.clear();
-        std::unique_ptr<Scene> scene =
-            open_gltf_scene(m_folder / "scene.gltf", options, &m_warnings);
-        check_scene(*scene, "scene.gltf");
-        return scene;
-    }
-
-    /// The error names the file and `part`.
-    void expect_error(const std::string& bytes, const std::string& part) {
-        try {
-            static_cast<void>(open(bytes));
-            FAIL() << "accepted: " << bytes.substr(0, 400);
-        } catch (const InputError& error) {
-            EXPECT_NE(std::string(error.what()).find("scene.gltf"), std::string::npos)
-                << error.what();
-            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-        }
-    }
-
-    [[nodiscard]] bool has_warning(const std::string& part) const {
-        for (const std::string& warning : m_warnings) {
-            if (warning.find(part) != std::string::npos) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    fs::path m_folder;
-    std::vector<std::string> m_warnings;
-};
+using GltfScene = GltfTest;
 
 TEST_F(GltfScene, OpensASquareWithFlatNormals) {
     const std::unique_ptr<Scene> scene = open(Parts{}.text());
@@ -134,8 +28,8 @@ TEST_F(GltfScene, OpensASquareWithFlatNormals) {
     EXPECT_DOUBLE_EQ(scene->get_ao_radius_m(), 0.05 * std::sqrt(2.0));
     EXPECT_EQ(scene->get_walkthrough().cameras.size(), 120u);
     EXPECT_TRUE(has_warning("circles"));
-    EXPECT_DOUBLE_EQ(open(Parts{}.text(), {0.3})->get_ao_radius_m(), 0.3);
-    EXPECT_THROW(static_cast<void>(open(Parts{}.text(), {-1.0})), InputError);
+    EXPECT_DOUBLE_EQ(open(Parts{}.text(), {0.3, {}, {}})->get_ao_radius_m(), 0.3);
+    EXPECT_THROW(static_cast<void>(open(Parts{}.text(), {-1.0, {}, {}})), InputError);
 }
 
 TEST_F(GltfScene, OpensBinaryContainersAndDataUris) {
@@ -237,22 +131,29 @@ TEST_F(GltfScene, KeepsFarScenesPreciseByAnOrigin) {
 
 TEST_F(GltfScene, NamesWhatItIgnores) {
     Parts parts;
-    parts.more = R"(,"extensionsUsed":["KHR_lights_punctual"],"textures":[{"source":0}],)"
-                 R"("images":[{"uri":"../../nowhere.png"}])";
+    parts.primitive = R"({"attributes":{"POSITION":0},"indices":1,"material":0})";
+    parts.more = R"(,"extensionsUsed":["KHR_materials_unlit"],"materials":[{"alphaMode":"BLEND",)"
+                 R"("emissiveFactor":[1,0,0],"normalTexture":{"index":0}}],)"
+                 R"("textures":[{"source":0}],"images":[{"uri":"../../nowhere.png"}])";
     EXPECT_EQ(count_size(*open(parts.text())).triangles, 2u);
-    EXPECT_TRUE(has_warning("KHR_lights_punctual"));
-    EXPECT_TRUE(has_warning("textures"));
+    EXPECT_TRUE(has_warning("KHR_materials_unlit"));
+    EXPECT_TRUE(has_warning("normal, metallic-roughness"));
+    EXPECT_TRUE(has_warning("BLEND"));
+    EXPECT_TRUE(has_warning("emission"));
     parts = {};
     parts.primitive += R"(,{"attributes":{"POSITION":0},"mode":0})";
     EXPECT_EQ(count_size(*open(parts.text())).triangles, 2u);
     EXPECT_TRUE(has_warning("points and lines"));
 }
 
-TEST_F(GltfScene, RejectsRequiredExtensions) {
+TEST_F(GltfScene, RejectsUnknownRequiredExtensions) {
     Parts parts;
-    parts.more = R"(,"extensionsUsed":["KHR_mesh_quantization"],)"
-                 R"("extensionsRequired":["KHR_mesh_quantization"])";
-    expect_error(parts.text(), "KHR_mesh_quantization");
+    for (const std::string name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "X"}) {
+        parts.more = R"(,"extensionsRequired":[")" + name + R"("])";
+        expect_error(parts.text(), name);
+    }
+    parts.more = R"(,"extensionsRequired":["KHR_mesh_quantization"])";
+    EXPECT_EQ(count_size(*open(parts.text())).triangles, 2u);
 }
 
 TEST_F(GltfScene, RejectsTruncatedFiles) {
@@ -389,9 +290,9 @@ TEST_F(GltfScene, RejectsAccessorsOutOfRange) {
     expect(R"("POSITION":0)", R"("POSITION":5)", "accessors[5]");
     expect(R"("POSITION":0)", R"("TEXCOORD_0":0)", "POSITION");
     expect(R"("type":"VEC3")",
-           R"("sparse":{"count":1,"indices":{"bufferView":1,"componentType":5123},)"
-           R"("values":{"bufferView":0}},"type":"VEC3")",
-           "sparse");
+           R"("sparse":{"count":2,"indices":{"bufferView":1,"byteOffset":2,"componentType":5123},)"
+           R"("values":{"bufferView":1}},"type":"VEC3")",
+           "sparse.values");
 }
 
 TEST_F(GltfScene, RejectsTooManyVertices) {

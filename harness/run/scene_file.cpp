@@ -1,0 +1,126 @@
+#include "harness/run/scene_file.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "core/base/hash.hpp"
+#include "core/base/nearest_name.hpp"
+#include "core/base/text.hpp"
+#include "scenes/common/gltf_scene.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace alcove {
+namespace {
+
+const std::array<std::string, 3> kKeys{"walkthrough", "animation", "ao_radius"};
+
+/// Length of the path in front of the options.
+std::size_t find_path_end(std::string_view spec) {
+    std::size_t end = std::string_view::npos;
+    for (const std::string_view extension : {".gltf:", ".glb:"}) {
+        const std::size_t at = spec.find(extension);
+        if (at != std::string_view::npos) {
+            end = std::min(end, at + extension.size() - 1);
+        }
+    }
+    if (end != std::string_view::npos) {
+        return end;
+    }
+    return spec.ends_with(".gltf") || spec.ends_with(".glb")
+               ? spec.size()
+               : std::min(spec.find(':'), spec.size());
+}
+
+std::vector<KeyValue> list_options(std::string_view spec) {
+    const std::size_t end = find_path_end(spec);
+    if (end == spec.size()) {
+        return {};
+    }
+    const std::string file(spec.substr(0, end));
+    std::vector<KeyValue> options = parse_key_values(spec.substr(end + 1), file);
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const std::string& key = options[i].key;
+        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
+            throw InputError(file, "unknown key", key, describe_choices(key, kKeys));
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            if (options[k].key == key) {
+                throw InputError(file, "key stands twice", key);
+            }
+        }
+    }
+    return options;
+}
+
+GltfOptions parse_options(std::string_view spec) {
+    constexpr std::int64_t kMostAnimations = 1'000'000;
+    GltfOptions options;
+    for (const KeyValue& option : list_options(spec)) {
+        const std::string where = get_scene_file(spec) + ": " + option.key;
+        if (option.key == "walkthrough") {
+            options.walkthrough = option.value;
+        } else if (option.key == "animation") {
+            const std::int64_t index = parse_integer(option.value, where);
+            if (index < 0 || index > kMostAnimations) {
+                throw InputError(where, "out of range", option.value, "0 or more");
+            }
+            options.animation = static_cast<int>(index);
+        } else {
+            options.ao_radius_m = parse_number(option.value, where);
+            if (!(*options.ao_radius_m > 0.0) || !std::isfinite(*options.ao_radius_m)) {
+                throw InputError(where, "out of range", option.value,
+                                 "a positive number of metres");
+            }
+        }
+    }
+    return options;
+}
+
+} // namespace
+
+bool is_scene_file(std::string_view spec) {
+    const std::string_view path = spec.substr(0, find_path_end(spec));
+    return path.ends_with(".gltf") || path.ends_with(".glb") ||
+           path.find('/') != std::string_view::npos;
+}
+
+std::string get_scene_file(std::string_view spec) {
+    return std::string(spec.substr(0, find_path_end(spec)));
+}
+
+std::string
+resolve_scene_file(std::string_view spec,
+                   const std::function<std::filesystem::path(const std::string&)>& resolve) {
+    static_cast<void>(parse_options(spec)); // a wrong value shows before anything runs
+    std::string resolved = resolve(get_scene_file(spec)).string();
+    char separator = ':';
+    for (const KeyValue& option : list_options(spec)) {
+        const std::string value =
+            option.key == "walkthrough" ? resolve(option.value).string() : option.value;
+        if (value.find(',') != std::string::npos) {
+            throw InputError(get_scene_file(spec) + ": " + option.key,
+                             "a path with a comma cannot be told from options", value);
+        }
+        resolved += separator + option.key + "=" + value;
+        separator = ',';
+    }
+    return resolved;
+}
+
+std::unique_ptr<Scene> open_scene_file(std::string_view spec, std::vector<std::string>& warnings) {
+    return open_gltf_scene(get_scene_file(spec), parse_options(spec), &warnings);
+}
+
+std::string hash_scene_file(std::string_view spec) {
+    Hasher hasher;
+    hasher.add(read_file(get_scene_file(spec)));
+    if (const auto walkthrough = parse_options(spec).walkthrough) {
+        hasher.add(read_file(*walkthrough));
+    }
+    return hasher.finish_hex();
+}
+
+} // namespace alcove

@@ -1,0 +1,265 @@
+#include "scenes/common/gltf_export.hpp"
+
+#include "core/base/error.hpp"
+#include "core/base/file.hpp"
+#include "scenes/common/glb_builder.hpp"
+#include "scenes/common/gltf_export_motion.hpp"
+#include "scenes/common/texture_codec.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <glm/gtx/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <nlohmann/json.hpp>
+
+namespace alcove {
+namespace {
+
+constexpr int kVertexArray = 34962;
+
+template <class Vector>
+std::span<const float> flatten(const std::vector<Vector>& vectors) {
+    return {&vectors.front().x, vectors.size() * (sizeof(Vector) / sizeof(float))};
+}
+
+nlohmann::json to_json(const glm::dmat4& matrix) {
+    nlohmann::json values = nlohmann::json::array();
+    for (int i = 0; i < 16; ++i) {
+        values.push_back(matrix[i / 4][i % 4]);
+    }
+    return values;
+}
+
+nlohmann::json to_json(const glm::dquat& q) {
+    return {q.x, q.y, q.z, q.w};
+}
+
+nlohmann::json to_json(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+class SceneExporter {
+  public:
+    SceneExporter(const Scene& scene, std::string file)
+        : m_scene(scene), m_glb(std::move(file)),
+          m_motion(m_glb, scene.get_walkthrough().cameras.size(), scene.get_walkthrough().step_s) {}
+
+    [[nodiscard]] std::string write() {
+        add_textures();
+        sample_poses();
+        for (std::size_t i = 0; i < m_scene.get_objects().size(); ++i) {
+            add_object(i);
+        }
+        add_lights();
+        add_camera();
+        m_motion.finish();
+        const std::size_t root = m_glb.add("nodes", {{"name", "scene"},
+                                                     {"translation", to_json(m_scene.get_origin())},
+                                                     {"children", m_children}});
+        m_glb.add("scenes", {{"nodes", nlohmann::json::array({root})}});
+        return m_glb.finish();
+    }
+
+    [[nodiscard]] std::set<std::string> take_warnings() { return std::move(m_warnings); }
+
+  private:
+    void add_textures() {
+        for (const Texture& texture : m_scene.get_textures()) {
+            const std::string png = encode_texture(texture);
+            const std::size_t view = m_glb.add_view(std::as_bytes(std::span(png)));
+            const std::size_t image = m_glb.add(
+                "images",
+                {{"name", texture.name}, {"mimeType", "image/png"}, {"bufferView", view}});
+            m_glb.add("textures", {{"source", image}});
+        }
+    }
+
+    /// Of every object that moves rigidly, where it is at each frame, relative to the origin.
+    void sample_poses() {
+        const Walkthrough& walkthrough = m_scene.get_walkthrough();
+        const std::size_t frames = m_scene.is_static() ? 1 : walkthrough.cameras.size();
+        const auto objects = m_scene.get_objects();
+        m_poses.resize(objects.size());
+        for (std::size_t frame = 0; frame < frames; ++frame) {
+            const Pose pose = m_scene.compute_pose(static_cast<double>(frame) * walkthrough.step_s);
+            for (std::size_t i = 0; i < objects.size(); ++i) {
+                if (frame == 0 || objects[i].motion != ObjectMotion::still) {
+                    m_poses[i].push_back(pose.object_to_world[i]);
+                    m_poses[i].back()[3] -= glm::dvec4(m_scene.get_origin(), 0.0);
+                }
+            }
+        }
+    }
+
+    void add_object(std::size_t index) {
+        const Object& object = m_scene.get_objects()[index];
+        const std::vector<glm::dmat4>& poses = m_poses[index];
+        nlohmann::json node{{"name", object.name}, {"mesh", find_mesh(index)}};
+        const bool moves =
+            std::any_of(poses.begin(), poses.end(),
+                        [&poses](const glm::dmat4& pose) { return pose != poses.front(); });
+        if (!moves) {
+            node["matrix"] = to_json(poses.front());
+            m_children.push_back(m_glb.add("nodes", std::move(node)));
+            return;
+        }
+        if (const auto places = split_all(poses, glm::dmat4(1.0))) {
+            node["scale"] = to_json(places->front().scale);
+            const std::size_t place = m_glb.add("nodes", std::move(node));
+            m_motion.add(place, *places);
+            m_children.push_back(place);
+            return;
+        }
+        // What shears at rest may still move rigidly: the motion on a node of its own.
+        node["matrix"] = to_json(poses.front());
+        const std::size_t inner = m_glb.add("nodes", std::move(node));
+        if (const auto places = split_all(poses, glm::inverse(poses.front()))) {
+            const std::size_t outer =
+                m_glb.add("nodes", {{"name", object.name + " moves"}, {"children", nlohmann::json::array({inner})}});
+            m_motion.add(outer, *places);
+            m_children.push_back(outer);
+            return;
+        }
+        m_warnings.insert("stands as on frame 0, its motion shears: " + object.name);
+        m_children.push_back(inner);
+    }
+
+    [[nodiscard]] static std::optional<std::vector<NodePlace>>
+    split_all(const std::vector<glm::dmat4>& poses, const glm::dmat4& inner) {
+        std::vector<NodePlace> places;
+        for (const glm::dmat4& pose : poses) {
+            const auto place = split_transform(pose * inner);
+            if (!place) {
+                return std::nullopt;
+            }
+            places.push_back(*place);
+        }
+        return places;
+    }
+
+    /// Deforming objects have meshes of their own, the others share them.
+    [[nodiscard]] std::size_t find_mesh(std::size_t index) {
+        const Object& object = m_scene.get_objects()[index];
+        const Mesh& mesh = m_scene.get_meshes()[object.mesh];
+        if (object.motion == ObjectMotion::deforming) {
+            m_warnings.insert("stands as on frame 0, its vertices do not move: " + object.name);
+            const Deformation shape = m_scene.deform(index, 0.0);
+            return add_mesh(mesh, shape.positions, shape.normals);
+        }
+        const auto known = m_meshes.find(object.mesh);
+        if (known != m_meshes.end()) {
+            return known->second;
+        }
+        return m_meshes.emplace(object.mesh, add_mesh(mesh, mesh.positions, mesh.normals))
+            .first->second;
+    }
+
+    [[nodiscard]] std::size_t add_mesh(const Mesh& mesh, const std::vector<glm::vec3>& positions,
+                                       const std::vector<glm::vec3>& normals) {
+        nlohmann::json attributes{
+            {"POSITION", m_glb.add_floats(flatten(positions), 3, kVertexArray)},
+            {"NORMAL", m_glb.add_floats(flatten(normals), 3, kVertexArray)}};
+        if (!mesh.colors.empty()) {
+            attributes["COLOR_0"] = m_glb.add_floats(flatten(mesh.colors), 3, kVertexArray);
+        }
+        if (!mesh.texture_coordinates.empty()) {
+            attributes["TEXCOORD_0"] =
+                m_glb.add_floats(flatten(mesh.texture_coordinates), 2, kVertexArray);
+        }
+        const nlohmann::json primitive{{"attributes", attributes},
+                                       {"indices", m_glb.add_indices(mesh.indices)},
+                                       {"material", find_material(mesh)}};
+        return m_glb.add("meshes", {{"name", mesh.name}, {"primitives", nlohmann::json::array({primitive})}});
+    }
+
+    [[nodiscard]] std::size_t find_material(const Mesh& mesh) {
+        const auto key = std::tuple(mesh.albedo.x, mesh.albedo.y, mesh.albedo.z, mesh.texture);
+        const auto known = m_materials.find(key);
+        if (known != m_materials.end()) {
+            return known->second;
+        }
+        const glm::dvec3 albedo(mesh.albedo);
+        nlohmann::json base{{"baseColorFactor", {albedo.x, albedo.y, albedo.z, 1.0}},
+                            {"metallicFactor", 0.0}};
+        if (mesh.texture) {
+            base["baseColorTexture"] = {{"index", *mesh.texture}};
+        }
+        const std::size_t material = m_glb.add("materials", {{"pbrMetallicRoughness", base}});
+        m_materials.emplace(key, material);
+        return material;
+    }
+
+    void add_lights() {
+        nlohmann::json lights = nlohmann::json::array();
+        for (const DirectionalLight& light : m_scene.get_lights().directional) {
+            const glm::dvec3 irradiance(light.irradiance);
+            const double intensity = std::max({irradiance.x, irradiance.y, irradiance.z});
+            const glm::dvec3 color = intensity > 0.0 ? irradiance / intensity : glm::dvec3(1.0);
+            m_children.push_back(m_glb.add(
+                "nodes",
+                {{"name", "light " + std::to_string(lights.size())},
+                 {"rotation", to_json(glm::rotation(glm::dvec3(0.0, 0.0, 1.0), light.to_light))},
+                 {"extensions", {{"KHR_lights_punctual", {{"light", lights.size()}}}}}}));
+            lights.push_back(
+                {{"type", "directional"}, {"color", to_json(color)}, {"intensity", intensity}});
+        }
+        if (!lights.empty()) {
+            m_glb.use_extension("KHR_lights_punctual", {{"lights", std::move(lights)}});
+        }
+        if (m_scene.get_lights().ambient != glm::vec3(0.0f)) {
+            m_warnings.insert("the light of the surroundings is left out");
+        }
+    }
+
+    void add_camera() {
+        const std::vector<Camera>& cameras = m_scene.get_walkthrough().cameras;
+        const Camera& first = cameras.front();
+        const std::size_t camera = m_glb.add(
+            "cameras",
+            {{"type", "perspective"},
+             {"perspective",
+              {{"yfov", first.fov_y_radians}, {"znear", first.near_m}, {"zfar", first.far_m}}}});
+        std::vector<NodePlace> places;
+        for (const Camera& own : cameras) {
+            places.push_back({own.position - m_scene.get_origin(),
+                              glm::normalize(glm::quat_cast(own.world_from_view)),
+                              glm::dvec3(1.0)});
+            if (own.fov_y_radians != first.fov_y_radians || own.near_m != first.near_m ||
+                own.far_m != first.far_m) {
+                m_warnings.insert("the camera keeps the angle of view and the planes of frame 0");
+            }
+        }
+        const std::size_t node =
+            m_glb.add("nodes", {{"name", "camera"},
+                                {"camera", camera},
+                                {"translation", to_json(places.front().translation)},
+                                {"rotation", to_json(places.front().rotation)}});
+        m_motion.add(node, places);
+        m_children.push_back(node);
+    }
+
+    using MaterialKey = std::tuple<float, float, float, std::optional<std::size_t>>;
+
+    const Scene& m_scene;
+    GlbBuilder m_glb;
+    MotionExporter m_motion;
+    std::set<std::string> m_warnings;
+    std::vector<std::vector<glm::dmat4>> m_poses; ///< of each object, a frame; one if it is still
+    std::map<std::size_t, std::size_t> m_meshes;
+    std::map<MaterialKey, std::size_t> m_materials;
+    std::vector<std::size_t> m_children;
+};
+
+} // namespace
+
+std::set<std::string> export_gltf(const Scene& scene, const std::filesystem::path& path) {
+    SceneExporter exporter(scene, path.string());
+    write_file_atomically(path, exporter.write());
+    return exporter.take_warnings();
+}
+
+} // namespace alcove
