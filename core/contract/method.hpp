@@ -11,6 +11,7 @@
 #include "core/frame/effects.hpp"
 #include "core/frame/frame_view.hpp"
 #include "core/frame/gbuffer.hpp"
+#include "core/frame/gbuffer_part.hpp"
 #include "core/frame/passes.hpp"
 #include "core/frame/posed_geometry.hpp"
 #include "core/gl/context.hpp"
@@ -29,14 +30,38 @@ namespace alcove {
 struct MethodRequests {
     ChannelSet channels{Channel::eye_depth, Channel::normal};
     bool posed_geometry = false;
-    /// Added to the G-buffer on each side, as a fraction of width and height, in [0, 0.5].
+    /// Added to the G-buffer on each side, as a fraction of width and height, in [0, 0.5]. Layers
+    /// and back faces have it as well; extra views and samples do not.
     double border = 0.0;
+    /// Depth layers in all, 1 to kMostLayers.
+    int layers = 1;
+    bool back_faces = false;
+    std::vector<ExtraView> views{}; ///< at most kMostViews
+    /// Of layers, back faces and views, all of which hold eye depth.
+    ChannelSet part_channels{Channel::eye_depth, Channel::normal};
+    /// Samples a pixel that the picture is composed with, 1, 2, 4 or 8: the base channels.
+    int samples = 1;
+
+    friend bool operator==(const MethodRequests&, const MethodRequests&) = default;
 };
+
+/// The parts that a method declares beside its ordinary G-buffer, layers first and in order.
+/// Asserts the ranges above.
+[[nodiscard]] std::vector<GBufferPart> list_parts(const MethodRequests& requests);
+[[nodiscard]] ChannelSet get_part_channels(const MethodRequests& requests, const GBufferPart& part);
 
 /// What it gets, for one frame. Textures hold exactly the declared channels, or more.
 struct MethodInputs {
     const FrameView& view;  ///< of the G-buffer: extended by the border that was asked for
     const GBuffer& gbuffer; ///< view.size, border included
+    std::vector<const GBuffer*> layers{}; ///< the second and deeper ones that were requested
+    const GBuffer* back_faces = nullptr;  ///< only if requested
+    struct View {
+        FrameView view;
+        const GBuffer* gbuffer = nullptr;
+    };
+    std::vector<View> views{};               ///< as requested
+    const GBuffer* multisampled = nullptr;   ///< only if more than one sample was requested
     const PosedGeometry* geometry = nullptr; ///< only if requested
     const Lights* lights = nullptr;
     std::uint32_t noise_seed =

@@ -17,15 +17,23 @@ void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
                      PassRecorder& passes) {
     ALCOVE_ASSERT((visibility != nullptr) != (radiance != nullptr),
                   "a visibility or a radiance image");
+    const bool is_multisampled = gbuffer.samples() > 1;
+    if (is_multisampled && !m_multisampled) {
+        m_multisampled.emplace(m_gl,
+                               gl::ShaderLibrary{embedded_frame_shaders(), embedded_gl_shaders()},
+                               "core/frame/compose_multisampled.frag.glsl");
+    }
+    const FullScreenProgram& program = is_multisampled ? *m_multisampled : m_program;
     const auto pass = passes.scope("harness/compose");
-    m_program.use();
+    program.use();
     m_gl.BindTextureUnit(0, gbuffer.texture(Channel::eye_depth).get());
     m_gl.BindTextureUnit(1, gbuffer.texture(Channel::albedo).get());
     m_gl.BindTextureUnit(2, gbuffer.texture(Channel::direct_light).get());
     m_gl.BindTextureUnit(3, (visibility != nullptr ? visibility : radiance)->get());
-    m_gl.Uniform1i(m_program.location("is_radiance"), radiance != nullptr ? 1 : 0);
-    m_gl.Uniform3f(m_program.location("ambient"), ambient.x, ambient.y, ambient.z);
-    m_program.draw(m_framebuffer.get(), m_picture.size());
+    m_gl.Uniform1i(program.location("samples"), gbuffer.samples());
+    m_gl.Uniform1i(program.location("is_radiance"), radiance != nullptr ? 1 : 0);
+    m_gl.Uniform3f(program.location("ambient"), ambient.x, ambient.y, ambient.z);
+    program.draw(m_framebuffer.get(), m_picture.size());
 }
 
 Image tone_map(const Image& radiance) {

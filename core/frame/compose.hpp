@@ -6,6 +6,8 @@
 #include "core/frame/gbuffer.hpp"
 #include "core/frame/passes.hpp"
 
+#include <optional>
+
 #include <glm/vec3.hpp>
 
 namespace alcove {
@@ -13,6 +15,7 @@ namespace alcove {
 class Compose {
   public:
     Compose(const gl::Functions& gl, ImageSize size);
+    /// The G-buffer may be multisampled: then every sample is shaded and their mean is the picture.
     /// direct + ambient x albedo x visibility, or direct + radiance where the method gives that;
     /// linear Rec. 709, RGBA16F. One of the two textures is not null. The background shows the
     /// ambient radiance.
@@ -25,6 +28,7 @@ class Compose {
     gl::Texture m_picture;
     gl::FramebufferHandle m_framebuffer;
     FullScreenProgram m_program;
+    std::optional<FullScreenProgram> m_multisampled; ///< compiled when it is first asked for
 };
 
 /// Linear radiance to linear light for a display: x (1 + x / 16) / (1 + x), which maps 4 to 1,

@@ -35,6 +35,16 @@ void detect_motion(const Scene& scene, FrameView& view) {
                                            scene.compute_pose(view.previous_time_s).object_to_world;
 }
 
+bool shows_same(const FrameView& a, const FrameView& b) {
+    const auto is_same_camera = [](const Camera& x, const Camera& y) {
+        return x.position == y.position && x.world_from_view == y.world_from_view &&
+               x.fov_y_radians == y.fov_y_radians && x.near_m == y.near_m && x.far_m == y.far_m;
+    };
+    return a.time_s == b.time_s && a.previous_time_s == b.previous_time_s && a.size == b.size &&
+           is_same_camera(a.camera, b.camera) &&
+           is_same_camera(a.previous_camera, b.previous_camera);
+}
+
 Border make_border(ImageSize size, double fraction) {
     ALCOVE_ASSERT(fraction >= 0.0 && fraction <= 0.5, "a border of at most half the image");
     return {static_cast<int>(std::ceil(fraction * size.width)),

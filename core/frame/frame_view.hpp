@@ -27,6 +27,9 @@ struct FrameView {
 /// Finds out objects_may_move by comparing the scene's two poses.
 void detect_motion(const Scene& scene, FrameView& view);
 
+/// Do both show the same moment through the same cameras, at the same size?
+[[nodiscard]] bool shows_same(const FrameView& a, const FrameView& b);
+
 /// Pixels added on each side.
 struct Border {
     int x = 0;

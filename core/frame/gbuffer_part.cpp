@@ -74,19 +74,35 @@ BoundingSphere compute_bounding_sphere(const Scene& scene) {
     return {0.5 * (low + high), 0.5 * glm::distance(low, high)};
 }
 
-FrameView place_view(const FrameView& view, const GBufferPart& part, const BoundingSphere& scene) {
-    if (part.kind != PartKind::view) {
-        return view;
-    }
-    ALCOVE_ASSERT(part.view.resolution > 0.0 && part.view.resolution <= 1.0,
-                  "a resolution in (0, 1]");
-    FrameView placed = view;
-    placed.camera = displace(view.camera, part.view, scene);
-    placed.previous_camera = displace(view.previous_camera, part.view, scene);
+ImageSize get_part_size(const GBufferPart& part, ImageSize size, const Border& border) {
     const auto shrink = [&part](int side) {
         return std::max(1, static_cast<int>(std::lround(side * part.view.resolution)));
     };
-    placed.size = {shrink(view.size.width), shrink(view.size.height)};
+    switch (part.kind) {
+    case PartKind::view:
+        ALCOVE_ASSERT(part.view.resolution > 0.0 && part.view.resolution <= 1.0,
+                      "a resolution in (0, 1]");
+        return {shrink(size.width), shrink(size.height)};
+    case PartKind::multisampled:
+        return size;
+    default:
+        return {size.width + 2 * border.x, size.height + 2 * border.y};
+    }
+}
+
+FrameView make_part_view(const GBufferPart& part, const FrameView& view, const Border& border,
+                         const BoundingSphere& scene) {
+    if (part.kind == PartKind::multisampled) {
+        return view;
+    }
+    if (part.kind != PartKind::view) {
+        // The camera without border is the walkthrough's own, free of rounding.
+        return border == Border{} ? view : extend(view, border);
+    }
+    FrameView placed = view;
+    placed.camera = displace(view.camera, part.view, scene);
+    placed.previous_camera = displace(view.previous_camera, part.view, scene);
+    placed.size = get_part_size(part, view.size, border);
     return placed;
 }
 

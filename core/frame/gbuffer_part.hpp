@@ -49,11 +49,17 @@ struct BoundingSphere {
 };
 [[nodiscard]] BoundingSphere compute_bounding_sphere(const Scene& scene);
 
-/// What a part is drawn as: the view itself but for extra views. The viewer is taken to look at the
+/// The pixels of a part of an image of `size`: with the border but for extra views, which have
+/// their own resolution, and samples.
+[[nodiscard]] ImageSize get_part_size(const GBufferPart& part, ImageSize size,
+                                      const Border& border);
+
+/// `view`, told without border, as the part is drawn: extended by the border, displaced, or as it
+/// is. An extra view's viewer is taken to look at the
 /// point of its view axis that is nearest to the scene's centre, and at least a tenth of its radius
 /// ahead; the far plane is moved back by what the camera has been moved. Asserts a displacement
 /// that does not put the camera into that point or upright above it.
-[[nodiscard]] FrameView place_view(const FrameView& view, const GBufferPart& part,
-                                   const BoundingSphere& scene);
+[[nodiscard]] FrameView make_part_view(const GBufferPart& part, const FrameView& view,
+                                       const Border& border, const BoundingSphere& scene);
 
 } // namespace alcove

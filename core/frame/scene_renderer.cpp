@@ -262,4 +262,15 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view, const 
     m_gl.Disable(GL_DEPTH_TEST);
 }
 
+void draw_part(SceneRenderer& renderer, const GBufferPart& part, const GBuffer& gbuffer,
+               const FrameView& view, const GBuffer& nearer) {
+    if (part.kind == PartKind::layer) {
+        renderer.render_layer(gbuffer, view, nearer);
+    } else if (part.kind == PartKind::back_faces) {
+        renderer.render_back_faces(gbuffer, view);
+    } else {
+        renderer.render(gbuffer, view);
+    }
+}
+
 } // namespace alcove

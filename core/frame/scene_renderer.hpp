@@ -6,6 +6,7 @@
 #include "core/frame/frame_view.hpp"
 #include "core/frame/full_screen.hpp"
 #include "core/frame/gbuffer.hpp"
+#include "core/frame/gbuffer_part.hpp"
 
 #include <map>
 #include <optional>
@@ -83,5 +84,9 @@ class SceneRenderer {
     FullScreenProgram m_rebuild;
     DrawCounts m_counts;
 };
+
+/// Draws any part. `nearer` is the layer before, of the same view, where the part is a layer.
+void draw_part(SceneRenderer& renderer, const GBufferPart& part, const GBuffer& gbuffer,
+               const FrameView& view, const GBuffer& nearer);
 
 } // namespace alcove

@@ -25,7 +25,10 @@ RoundRecord make_pilot(const RoundRecord& round, bool full) {
 
 /// G-buffer and passes of one cell, or nothing for a cell without passes.
 double time_cell(RoundStage& stage, MethodCell& cell) {
-    const std::int64_t input_ns = stage.draw_gbuffer_timed(RoundStage::get_key(cell));
+    std::int64_t input_ns = 0;
+    for (const GBufferKey& key : RoundStage::list_keys(cell)) {
+        input_ns += stage.draw_gbuffer_timed(key);
+    }
     CellTimes times;
     static_cast<void>(
         cell.render(stage.make_inputs(cell), PassTiming::envelope, stage.timer(), times));
@@ -33,7 +36,7 @@ double time_cell(RoundStage& stage, MethodCell& cell) {
 }
 
 Image take_image(RoundStage& stage, MethodCell& cell) {
-    stage.render_gbuffer(RoundStage::get_key(cell));
+    stage.render_gbuffers(RoundStage::list_keys(cell));
     CellTimes times;
     const MethodOutput output =
         cell.render(stage.make_inputs(cell), PassTiming::none, stage.timer(), times);

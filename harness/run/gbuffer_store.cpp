@@ -82,25 +82,27 @@ GBufferStore::GBufferStore(fs::path folder, std::string drawn_by)
     : m_folder(std::move(folder)), m_drawn_by(std::move(drawn_by)) {}
 
 std::string GBufferStore::make_key(const Scene& scene, const FrameView& view,
-                                   const Precision& precision, Channel channel) {
+                                   const Precision& precision, Channel channel,
+                                   const GBufferPart& part) {
     Hasher hasher;
     hasher.add(m_drawn_by).add(m_geometry.get(scene, view.time_s)).add(describe(precision));
     hasher.add(kChannels.at(static_cast<std::size_t>(channel)).name);
     if (channel == Channel::motion || channel == Channel::motion_depth) {
         hasher.add(m_geometry_before.get(scene, view.previous_time_s));
     }
+    hasher.add(to_text(part));
     add_view(hasher, scene, view);
     return hasher.finish_hex();
 }
 
 std::string GBufferStore::make_times_key(const Scene& scene, const FrameView& view,
                                          const Precision& precision, ChannelSet channels,
-                                         const std::string& timer) {
+                                         const GBufferPart& part, const std::string& timer) {
     Hasher hasher;
     hasher.add("times").add(timer);
     for (const ChannelInfo& info : kChannels) {
         if (channels.contains(info.channel)) {
-            hasher.add(make_key(scene, view, precision, info.channel));
+            hasher.add(make_key(scene, view, precision, info.channel, part));
         }
     }
     return hasher.finish_hex();

@@ -5,6 +5,7 @@
 // checksum. What drawing cost is kept beside them: it is the input cost of runs that load.
 
 #include "core/frame/gbuffer.hpp"
+#include "core/frame/gbuffer_part.hpp"
 #include "harness/run/cache.hpp"
 #include "harness/run/view_hash.hpp"
 
@@ -21,13 +22,14 @@ class GBufferStore {
     /// compiler, driver and CPU features.
     GBufferStore(std::filesystem::path folder, std::string drawn_by);
 
-    /// Of one channel of a frame that is extended by its border.
+    /// Of one channel of a part of a frame, told as it is drawn.
     [[nodiscard]] std::string make_key(const Scene& scene, const FrameView& view,
-                                       const Precision& precision, Channel channel);
+                                       const Precision& precision, Channel channel,
+                                       const GBufferPart& part);
     /// Of the times of a set of channels, taken with a timer.
     [[nodiscard]] std::string make_times_key(const Scene& scene, const FrameView& view,
                                              const Precision& precision, ChannelSet channels,
-                                             const std::string& timer);
+                                             const GBufferPart& part, const std::string& timer);
 
     [[nodiscard]] bool has(const std::string& key) const;
     /// Nothing if it is not there, damaged, or not of `bytes` bytes.

@@ -30,6 +30,7 @@ class MethodCell {
     [[nodiscard]] bool has_light() const { return m_effects.contains(Effect::light_buffers); }
     /// Of its G-buffer, in pixels.
     [[nodiscard]] Border border() const { return make_border(m_size, m_requests.border); }
+    [[nodiscard]] const MethodRequests& requests() const noexcept { return m_requests; }
     [[nodiscard]] bool needs_geometry() const noexcept { return m_requests.posed_geometry; }
 
     /// Resets GL state, waits for the device, renders. Times are empty for PassTiming::none.

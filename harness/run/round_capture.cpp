@@ -99,7 +99,7 @@ void RoundCapture::capture_frame(std::size_t index) {
     }
     {
         const WallTime wall(m_done.gbuffer_s);
-        m_stage.render_gbuffers();
+        m_stage.render_gbuffers(m_stage.list_gbuffers());
     }
     const bool takes_reference = m_reuse.is_wanted("reference");
     if (shot.is_film && takes_reference) {
@@ -120,8 +120,7 @@ void RoundCapture::capture_frame(std::size_t index) {
         }
         // A method with history keeps its converged picture, the one that its table speaks of.
         if (shot.keeps_pictures && (cell.record().warm_frames == 0 || !m_has_singles)) {
-            m_pictures.write_cell(cell.record().id, shot.frame.view.index, images.visibility,
-                                  output, truth);
+            m_pictures.write_cell(cell, shot.frame.view.index, images.visibility, output, truth);
         }
     }
 }
@@ -153,8 +152,7 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
         measure_images(cell, images, shot);
         add_history_rows(cell, images, shot, nullptr);
         if (shot.keeps_pictures) {
-            m_pictures.write_cell(cell.record().id, shot.frame.view.index, images.visibility,
-                                  output, truth);
+            m_pictures.write_cell(cell, shot.frame.view.index, images.visibility, output, truth);
         }
     }
 }

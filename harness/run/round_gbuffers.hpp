@@ -5,6 +5,8 @@
 #include "harness/run/gbuffer_store.hpp"
 
 #include <map>
+#include <optional>
+#include <tuple>
 
 namespace alcove {
 
@@ -12,11 +14,15 @@ namespace alcove {
 struct GBufferKey {
     ChannelSet channels;
     Border border;
-    friend auto operator<=>(const GBufferKey&, const GBufferKey&) = default;
+    GBufferPart part;
+    friend bool operator==(const GBufferKey&, const GBufferKey&) = default;
+    friend bool operator<(const GBufferKey& a, const GBufferKey& b) {
+        return std::tie(a.part, a.channels, a.border) < std::tie(b.part, b.channels, b.border);
+    }
 };
 
 /// The G-buffer that every run rasterises.
-inline constexpr GBufferKey kBaseGBuffer{kBaseChannels, {}};
+inline const GBufferKey kBaseGBuffer{kBaseChannels, {}, {}};
 
 class RoundGBuffers {
   public:
@@ -26,13 +32,19 @@ class RoundGBuffers {
 
     /// Allocates, unless it is there.
     void add(const GBufferKey& key);
-    [[nodiscard]] const GBuffer& get(const GBufferKey& key) const { return m_gbuffers.at(key); }
+    [[nodiscard]] const GBuffer& get(const GBufferKey& key) const {
+        return m_gbuffers.at(key).gbuffer;
+    }
 
-    /// Rasterises. `view` is extended by the key's border, here and below.
+    /// `view`, without border, as the key's part is drawn.
+    [[nodiscard]] FrameView get_view(const GBufferKey& key, const FrameView& view) const;
+    /// Rasterises; a layer on top of the one before it, which is drawn as well unless it shows this
+    /// frame. `view` is that of get_view, here and below.
     void draw(const GBufferKey& key, const FrameView& view);
     /// Rasterises into a G-buffer of the caller's, which is never cached.
     void draw_into(const GBuffer& gbuffer, const FrameView& view);
-    /// Uploads what the cache has; false if a channel is missing or damaged.
+    /// Uploads what the cache has; false if a channel is missing or damaged. Multisampled G-buffers
+    /// are never cached: their texels cannot be read.
     [[nodiscard]] bool load(const GBufferKey& key, const FrameView& view);
     /// Puts what the G-buffer holds, which must be this frame, into the cache.
     void store(const GBufferKey& key, const FrameView& view);
@@ -53,15 +65,22 @@ class RoundGBuffers {
     [[nodiscard]] std::size_t audited() const noexcept { return m_audited; }
 
   private:
+    struct Kept {
+        GBuffer gbuffer;
+        std::optional<FrameView> shows; ///< what was drawn or loaded last
+    };
+    [[nodiscard]] const GBufferKey& find_nearer(const GBufferKey& key) const;
+
     const gl::Functions& m_gl;
     const Scene& m_scene;
+    BoundingSphere m_sphere;
     ImageSize m_size;
     Precision m_precision;
     SceneRenderer m_renderer;
     GBufferStore m_store;
     Audit m_audit;
     std::string m_timer;
-    std::map<GBufferKey, GBuffer> m_gbuffers;
+    std::map<GBufferKey, Kept> m_gbuffers;
     std::size_t m_drawn = 0;
     std::size_t m_loaded = 0;
     std::size_t m_audited = 0;

@@ -90,17 +90,17 @@ void RoundPictures::write_reference(int frame, const Truth& truth) {
     write("reference", frame, "visibility", encode_view(truth.mean));
     gl::Texture texture(m_stage.gl(), GL_R32F, m_stage.size());
     gl::write_texture(m_stage.gl(), texture, truth.mean);
-    m_stage.compose({.visibility = &texture}, PassTiming::none);
+    m_stage.compose(nullptr, {.visibility = &texture}, PassTiming::none);
     write("reference", frame, "shaded",
           encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
 }
 
-void RoundPictures::write_cell(const std::string& cell, int frame, const Image& visibility,
+void RoundPictures::write_cell(const MethodCell& cell, int frame, const Image& visibility,
                                const MethodOutput& output, const Truth& truth) {
-    m_stage.compose(output, PassTiming::none);
-    write(cell, frame, "visibility", encode_view(visibility));
-    write(cell, frame, "error", make_error_map(visibility, truth.mean));
-    write(cell, frame, "shaded",
+    m_stage.compose(&cell, output, PassTiming::none);
+    write(cell.record().id, frame, "visibility", encode_view(visibility));
+    write(cell.record().id, frame, "error", make_error_map(visibility, truth.mean));
+    write(cell.record().id, frame, "shaded",
           encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
 }
 

@@ -19,7 +19,7 @@ class RoundPictures {
     /// Visibility and shaded picture of truth; uses the stage's G-buffer of the frame.
     void write_reference(int frame, const Truth& truth);
     /// Visibility, error map and shaded picture of a method's image.
-    void write_cell(const std::string& cell, int frame, const Image& visibility,
+    void write_cell(const MethodCell& cell, int frame, const Image& visibility,
                     const MethodOutput& output, const Truth& truth);
 
     /// Is the map of this metric over time part of the film?

@@ -1,5 +1,6 @@
 #include "harness/run/round_stage.hpp"
 
+#include "core/contract/method_gbuffers.hpp"
 #include "harness/run/environment.hpp"
 
 #include <algorithm>
@@ -21,12 +22,11 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
                  GBufferStore(get_cache_folder(), describe_drawing(context)),
                  {plan.audit_share, plan.audit_seed},
                  describe_timing(context) + " " + std::string(gl::to_text(timer_mode))) {
-    m_views.emplace(Border{}, FrameView{});
-    add_gbuffer(kBaseGBuffer);
+    add_gbuffers({kBaseGBuffer});
     m_cells.reserve(round.cells.size());
     for (const CellRecord& record : round.cells) {
         m_cells.emplace_back(context, units.methods.find(record.method), record, m_size);
-        add_gbuffer(get_key(m_cells.back()));
+        add_gbuffers(list_keys(m_cells.back()));
     }
     for (std::size_t s = 0; s < round.segments.size(); ++s) {
         for (int f = round.segments[s].begin; f < round.segments[s].end; ++f) {
@@ -55,24 +55,33 @@ std::vector<RoundFrame> RoundStage::list_singles() const {
     return singles;
 }
 
+std::vector<GBufferKey> RoundStage::list_keys(const MethodCell& cell) {
+    std::vector<GBufferKey> keys{{cell.channels(), cell.border(), {}}};
+    for (const GBufferPart& part : list_parts(cell.requests())) {
+        const bool has_border = part.kind == PartKind::layer || part.kind == PartKind::back_faces;
+        keys.push_back({get_part_channels(cell.requests(), part),
+                        has_border ? cell.border() : Border{}, part});
+    }
+    return keys;
+}
+
 std::vector<GBufferKey> RoundStage::list_gbuffers() const {
     std::vector<GBufferKey> keys{kBaseGBuffer};
     for (const MethodCell& cell : m_cells) {
-        if (std::find(keys.begin(), keys.end(), get_key(cell)) == keys.end()) {
-            keys.push_back(get_key(cell));
+        for (const GBufferKey& key : list_keys(cell)) {
+            if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+                keys.push_back(key);
+            }
         }
     }
     return keys;
 }
 
-void RoundStage::add_gbuffer(const GBufferKey& key) {
-    m_gbuffers.add(key);
-    m_views.try_emplace(key.border);
-}
-
-FrameView RoundStage::get_view(const FrameView& view, const Border& border) const {
-    // The camera without border is the walkthrough's own, free of rounding.
-    return border == Border{} ? view : extend(view, border);
+void RoundStage::add_gbuffers(const std::vector<GBufferKey>& keys) {
+    for (const GBufferKey& key : keys) {
+        m_gbuffers.add(key);
+        m_views.try_emplace(key);
+    }
 }
 
 std::vector<FrameView> RoundStage::list_views() const {
@@ -95,7 +104,7 @@ bool RoundStage::find_all_stored() {
     const std::vector<GBufferKey> keys = list_gbuffers();
     for (const FrameView& view : list_views()) {
         for (const GBufferKey& key : keys) {
-            if (!m_gbuffers.is_stored(key, get_view(view, key.border))) {
+            if (!m_gbuffers.is_stored(key, m_gbuffers.get_view(key, view))) {
                 return false;
             }
         }
@@ -103,7 +112,7 @@ bool RoundStage::find_all_stored() {
     for (std::size_t i = 0; i < m_frames.size(); ++i) {
         for (const GBufferKey& key : keys) {
             std::optional<std::vector<std::int64_t>> times =
-                m_gbuffers.read_times(key, get_view(m_frames[i].view, key.border));
+                m_gbuffers.read_times(key, m_gbuffers.get_view(key, m_frames[i].view));
             if (!times || times->empty()) {
                 m_stored_times.clear();
                 return false;
@@ -116,8 +125,8 @@ bool RoundStage::find_all_stored() {
 
 void RoundStage::set_frame(const FrameView& view) {
     m_frame.reset();
-    for (auto& [border, extended] : m_views) {
-        extended = get_view(view, border);
+    for (auto& [key, shown] : m_views) {
+        shown = m_gbuffers.get_view(key, view);
     }
     const bool needs_geometry =
         std::any_of(m_cells.begin(), m_cells.end(),
@@ -136,7 +145,7 @@ void RoundStage::set_frame(const RoundFrame& frame) {
 std::optional<std::int64_t> RoundStage::time_gbuffer(const GBufferKey& key) {
     m_context.reset_state();
     gl().Finish();
-    const FrameView& view = m_views.at(key.border);
+    const FrameView& view = m_views.at(key);
     if (m_loads_gbuffers && m_gbuffers.load(key, view)) {
         gl().Finish();
         return std::nullopt;
@@ -150,7 +159,7 @@ std::int64_t RoundStage::draw_gbuffer_timed(const GBufferKey& key) {
     PassRecorder recorder(PassTiming::divided, &m_timer);
     {
         const auto pass = recorder.scope("input");
-        m_gbuffers.draw(key, m_views.at(key.border));
+        m_gbuffers.draw(key, m_views.at(key));
     }
     return m_timer.collect().front();
 }
@@ -158,14 +167,14 @@ std::int64_t RoundStage::draw_gbuffer_timed(const GBufferKey& key) {
 void RoundStage::render_gbuffer(const GBufferKey& key) {
     m_context.reset_state();
     gl().Finish();
-    const FrameView& view = m_views.at(key.border);
+    const FrameView& view = m_views.at(key);
     if (!m_gbuffers.load(key, view)) {
         m_gbuffers.draw(key, view);
     }
 }
 
-void RoundStage::render_gbuffers() {
-    for (const GBufferKey& key : list_gbuffers()) {
+void RoundStage::render_gbuffers(const std::vector<GBufferKey>& keys) {
+    for (const GBufferKey& key : keys) {
         render_gbuffer(key);
     }
 }
@@ -183,7 +192,7 @@ void RoundStage::store_gbuffers(const GBufferTimes& times_ns) {
     m_context.reset_state();
     for (const FrameView& frame : list_views()) {
         for (const GBufferKey& key : keys) {
-            const FrameView view = get_view(frame, key.border);
+            const FrameView view = m_gbuffers.get_view(key, frame);
             if (m_gbuffers.is_stored(key, view)) {
                 m_gbuffers.audit(key, view);
                 continue;
@@ -194,14 +203,17 @@ void RoundStage::store_gbuffers(const GBufferTimes& times_ns) {
     }
     for (const auto& [place, times] : times_ns) {
         const auto& [frame, key] = place;
-        m_gbuffers.write_times(key, get_view(m_frames[frame].view, key.border), times);
+        m_gbuffers.write_times(key, m_gbuffers.get_view(key, m_frames[frame].view), times);
     }
     m_context.check_errors();
 }
 
 MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
-    const GBufferKey key = get_key(cell);
-    MethodInputs inputs{m_views.at(key.border), m_gbuffers.get(key)};
+    const std::vector<GBufferKey> keys = list_keys(cell);
+    MethodInputs inputs{m_views.at(keys.front()), m_gbuffers.get(keys.front())};
+    for (const GBufferKey& key : keys) {
+        add_part(inputs, key.part, m_gbuffers.get(key), m_views.at(key));
+    }
     inputs.geometry = cell.needs_geometry() ? &m_geometry : nullptr;
     inputs.lights = &m_scene.get_lights();
     inputs.noise_seed = kNoiseSeed;
@@ -225,26 +237,34 @@ void RoundStage::warm_up(MethodCell& cell, const FrameView& view) {
     for (int i = 0; i < cell.record().warm_frames; ++i) {
         if (i <= 1) {
             set_frame(i == 0 ? view : hold(view));
-            render_gbuffer(get_key(cell));
+            render_gbuffers(list_keys(cell));
         }
         CellTimes times;
         static_cast<void>(cell.render(make_inputs(cell), PassTiming::none, m_timer, times));
     }
     set_frame(hold(view));
-    render_gbuffer(get_key(cell));
+    render_gbuffers(list_keys(cell));
 }
 
 void RoundStage::draw(const GBuffer& gbuffer) {
     m_context.reset_state();
-    m_gbuffers.draw_into(gbuffer, m_views.at({}));
+    m_gbuffers.draw_into(gbuffer, m_views.at(kBaseGBuffer));
 }
 
-void RoundStage::compose(const MethodOutput& output, PassTiming timing) {
+void RoundStage::compose(const MethodCell* cell, const MethodOutput& output, PassTiming timing) {
     m_context.reset_state();
     gl().Finish();
+    const GBuffer* gbuffer = &m_gbuffers.get(kBaseGBuffer);
+    if (cell != nullptr) {
+        for (const GBufferKey& key : list_keys(*cell)) {
+            if (key.part.kind == PartKind::multisampled) {
+                gbuffer = &m_gbuffers.get(key);
+            }
+        }
+    }
     PassRecorder recorder(timing, &m_timer);
-    m_compose.render(m_gbuffers.get(kBaseGBuffer), m_scene.get_lights().ambient, output.visibility,
-                     output.radiance, recorder);
+    m_compose.render(*gbuffer, m_scene.get_lights().ambient, output.visibility, output.radiance,
+                     recorder);
 }
 
 } // namespace alcove

@@ -43,8 +43,8 @@ class RoundStage {
     void set_frame(const FrameView& view);
     /// One of frames(), whose stored times can then be asked for.
     void set_frame(const RoundFrame& frame);
-    /// Makes a G-buffer in the round's precision, unless it is there.
-    void add_gbuffer(const GBufferKey& key);
+    /// Makes G-buffers in the round's precision, unless they are there.
+    void add_gbuffers(const std::vector<GBufferKey>& keys);
     /// Resets GL state, waits for the device, and draws, timed; for `time_ns`, or, where every
     /// G-buffer of the round is in the cache, loads and returns nothing.
     std::optional<std::int64_t> time_gbuffer(const GBufferKey& key);
@@ -52,7 +52,7 @@ class RoundStage {
     [[nodiscard]] std::int64_t draw_gbuffer_timed(const GBufferKey& key);
     /// The same untimed: loads what the cache has, draws what it has not.
     void render_gbuffer(const GBufferKey& key);
-    void render_gbuffers();
+    void render_gbuffers(const std::vector<GBufferKey>& keys);
     /// What drawing the frame's G-buffer has cost, one time a repeat; empty unless it was loaded.
     [[nodiscard]] std::span<const std::int64_t> find_stored_times(const GBufferKey& key) const;
     /// Once times are taken: puts the frames' G-buffers into the cache with `times_ns`, which maps
@@ -64,9 +64,8 @@ class RoundStage {
         return m_gbuffers.get(key);
     }
     [[nodiscard]] const RoundGBuffers& gbuffers() const { return m_gbuffers; }
-    [[nodiscard]] static GBufferKey get_key(const MethodCell& cell) {
-        return {cell.channels(), cell.border()};
-    }
+    /// What the cell's method declares: its ordinary G-buffer first, then its parts in order.
+    [[nodiscard]] static std::vector<GBufferKey> list_keys(const MethodCell& cell);
     [[nodiscard]] MethodInputs make_inputs(const MethodCell& cell) const;
     /// What a frame asks for before it is shown: histories forgotten at a segment's start and at a
     /// cut, and converged where the frame is warmed.
@@ -74,14 +73,14 @@ class RoundStage {
     /// Forgets the cell's history and renders it for its warm_frames() with the frame held, which
     /// stays set, with its G-buffer.
     void warm_up(MethodCell& cell, const FrameView& view);
-    /// The shaded picture of a method's output, in m_compose's texture.
-    void compose(const MethodOutput& output, PassTiming timing);
+    /// The shaded picture of a method's output, in m_compose's texture, with as many samples a
+    /// pixel as the cell's method declares; of one sample without a cell.
+    void compose(const MethodCell* cell, const MethodOutput& output, PassTiming timing);
     [[nodiscard]] const gl::Texture& picture() const { return m_compose.picture(); }
     /// Draws the frame into a G-buffer of the caller's, without border.
     void draw(const GBuffer& gbuffer);
 
   private:
-    [[nodiscard]] FrameView get_view(const FrameView& view, const Border& border) const;
     /// All frames as they are drawn: as replayed, and held where histories converge.
     [[nodiscard]] std::vector<FrameView> list_views() const;
     [[nodiscard]] bool find_all_stored();
@@ -95,7 +94,7 @@ class RoundStage {
     ImageSize m_size;
     Compose m_compose;
     RoundGBuffers m_gbuffers;
-    std::map<Border, FrameView> m_views; ///< this frame, extended by each border
+    std::map<GBufferKey, FrameView> m_views; ///< this frame, as each G-buffer shows it
     std::vector<MethodCell> m_cells;
     std::vector<RoundFrame> m_frames;
     PosedGeometry m_geometry;

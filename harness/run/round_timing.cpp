@@ -46,12 +46,12 @@ std::string name_input(const MethodCell& cell) {
 
 void RoundTiming::warm_up() {
     m_stage.set_frame(m_stage.frames().front().view);
-    m_stage.render_gbuffers();
+    m_stage.render_gbuffers(m_stage.list_gbuffers());
     for (MethodCell& cell : m_stage.cells()) {
         CellTimes times;
         const MethodOutput output =
             cell.render(m_stage.make_inputs(cell), PassTiming::none, m_stage.timer(), times);
-        m_stage.compose(output, PassTiming::none);
+        m_stage.compose(&cell, output, PassTiming::none);
         m_stage.gl().Finish();
         m_stage.context().check_errors();
     }
@@ -118,10 +118,14 @@ void RoundTiming::time_gbuffers(const RoundFrame& frame, int repeat) {
             m_samples.back().cached = time->is_cached;
             continue;
         }
+        // An ordinary G-buffer costs what it takes longer than the base; a part all it takes.
+        const bool is_part = key.part.kind != PartKind::nearest;
         for (const MethodCell& cell : m_stage.cells()) {
-            if (base && RoundStage::get_key(cell) == key) {
+            const std::vector<GBufferKey> keys = RoundStage::list_keys(cell);
+            if (base && std::find(keys.begin(), keys.end(), key) != keys.end()) {
                 add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
-                           name_input(cell), time->ns - base->ns);
+                           is_part ? "input/" + to_text(key.part) : name_input(cell),
+                           time->ns - (is_part ? 0 : base->ns));
                 m_samples.back().cached = time->is_cached;
             }
         }
@@ -147,7 +151,7 @@ void RoundTiming::time_frame(const RoundFrame& frame, int repeat) {
             add_cell_samples(cell, frame, repeat, SampleState::cold, timing, times);
         }
         if (cell.record().role == CellRole::method && cell.has_light()) {
-            m_stage.compose(output, PassTiming::divided);
+            m_stage.compose(&cell, output, PassTiming::divided);
             add_sample(cell.record().id, frame, repeat, SampleKind::divided, SampleState::cold,
                        "harness/compose", m_stage.timer().collect().front());
         }
@@ -203,7 +207,7 @@ void RoundTiming::time_converged(int repeat) {
     const WallTime wall(m_done.passes_s);
     for (const ConvergedCell& converged : m_converged) {
         m_stage.set_frame(converged.frame.view);
-        m_stage.render_gbuffer(RoundStage::get_key(*converged.cell));
+        m_stage.render_gbuffers(RoundStage::list_keys(*converged.cell));
         for (int i = 0; i < kConvergedFrames; ++i) {
             const PassTiming timing =
                 (repeat + i) % 2 != 0 ? PassTiming::divided : PassTiming::envelope;

@@ -40,7 +40,7 @@ class MethodTruth final : public TruthSource {
         : m_stage(stage),
           m_cell(stage.context(), stage.units().methods.find(stage.round().reference.method),
                  stage.round().reference, stage.size()) {
-        stage.add_gbuffer(RoundStage::get_key(m_cell));
+        stage.add_gbuffers(RoundStage::list_keys(m_cell));
     }
 
     Truth get(const FrameView& view) override {

@@ -13,37 +13,31 @@ FrameView SceneRig::get_view(int frame, bool starts_segment) const {
     return view;
 }
 
-const GBuffer& SceneRig::draw(ChannelSet channels, const FrameView& view,
-                              const Precision& precision) {
-    m_context.reset_state();
-    for (const std::unique_ptr<Buffer>& buffer : m_buffers) {
-        if (buffer->channels == channels && buffer->size == view.size &&
-            buffer->precision == precision) {
-            m_renderer.render(buffer->gbuffer, view);
-            return buffer->gbuffer;
+MethodGBuffers& SceneRig::find_gbuffers(const MethodRequests& requests) {
+    for (const Buffers& buffers : m_buffers) {
+        if (buffers.requests == requests) {
+            return *buffers.gbuffers;
         }
     }
-    m_buffers.push_back(std::make_unique<Buffer>(
-        Buffer{channels, view.size, precision,
-               GBuffer(m_context.functions(), view.size, channels, precision)}));
-    m_renderer.render(m_buffers.back()->gbuffer, view);
-    return m_buffers.back()->gbuffer;
+    m_buffers.push_back(
+        {requests, std::make_unique<MethodGBuffers>(m_context.functions(), m_renderer, m_scene,
+                                                    requests, m_size, m_precision)});
+    return *m_buffers.back().gbuffers;
 }
 
 RigShot SceneRig::shoot(Method& method, const FrameView& view, const ShotOptions& options) {
     const MethodRequests requests = method.get_requests();
-    const Border border = make_border(m_size, requests.border);
-    const FrameView extended = extend(view, border);
-    const GBuffer& gbuffer = draw(kBaseChannels | requests.channels, extended, m_precision);
+    MethodGBuffers& gbuffers = find_gbuffers(requests);
+    m_context.reset_state();
+    gbuffers.draw(view);
     if (options.edit) {
-        options.edit(gbuffer, border);
+        options.edit(gbuffers.main(), gbuffers.border());
     }
     std::optional<PosedGeometry> geometry;
     if (requests.posed_geometry) {
         geometry = pose_geometry(m_scene, view.time_s);
     }
-    // Geometry is traced through the view that it is asked for; textures carry the border.
-    MethodInputs inputs{extended, gbuffer};
+    MethodInputs inputs = gbuffers.make_inputs();
     inputs.geometry = geometry ? &*geometry : nullptr;
     inputs.lights = &m_scene.get_lights();
     inputs.noise_seed = options.seed;
@@ -76,8 +70,13 @@ RigShot SceneRig::settle(Method& method, int frame, int frames, const ShotOption
 }
 
 Image SceneRig::read_depth(const FrameView& view) {
-    const GBuffer& gbuffer = draw({Channel::eye_depth}, view, {});
-    return gl::read_texture(m_context.functions(), gbuffer.texture(Channel::eye_depth), 1);
+    if (!m_depth || !(m_depth->size() == view.size)) {
+        m_depth.emplace(m_context.functions(), view.size, ChannelSet{Channel::eye_depth},
+                        Precision{});
+    }
+    m_context.reset_state();
+    m_renderer.render(*m_depth, view);
+    return gl::read_texture(m_context.functions(), m_depth->texture(Channel::eye_depth), 1);
 }
 
 } // namespace alcove

@@ -2,8 +2,7 @@
 // Frames of a scene through any method, one after the other, as the runner shows them; what the
 // method sees of a frame can be changed on the way.
 
-#include "core/contract/method.hpp"
-#include "core/frame/scene_renderer.hpp"
+#include "core/contract/method_gbuffers.hpp"
 
 #include <functional>
 #include <memory>
@@ -52,20 +51,19 @@ class SceneRig {
     [[nodiscard]] Image read_depth(const FrameView& view);
 
   private:
-    const GBuffer& draw(ChannelSet channels, const FrameView& view, const Precision& precision);
+    MethodGBuffers& find_gbuffers(const MethodRequests& requests);
 
     gl::Context& m_context;
     const Scene& m_scene;
     ImageSize m_size;
     Precision m_precision;
     SceneRenderer m_renderer;
-    struct Buffer {
-        ChannelSet channels;
-        ImageSize size;
-        Precision precision;
-        GBuffer gbuffer;
+    struct Buffers {
+        MethodRequests requests;
+        std::unique_ptr<MethodGBuffers> gbuffers;
     };
-    std::vector<std::unique_ptr<Buffer>> m_buffers;
+    std::vector<Buffers> m_buffers;
+    std::optional<GBuffer> m_depth; ///< eye depth in full precision
 };
 
 } // namespace alcove

@@ -3,7 +3,10 @@
 #include "scenes/cathedral/elements.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
+#include <array>
+#include <cstddef>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include <glm/geometric.hpp>
@@ -11,7 +14,7 @@
 namespace alcove {
 namespace {
 
-enum class Path { standard, walk_and_rest };
+enum class Path { standard, walk_and_rest, full };
 
 struct CathedralParameters {
     double detail = 1.0;
@@ -24,20 +27,28 @@ ParameterTable make_table() {
     return describe_parameters(
         "cathedral",
         {real(&P::detail, "detail")
-             .range(0.125, 8.0)
+             .range(0.125, 256.0)
              .log_scale()
              .unit("1")
              .meaning("number of vertices of curved parts, relative to the default; also the "
-                      "number of balusters")
+                      "number of balusters and, above 8, of chairs and candles")
              .source("ours"),
          integer(&P::seed, "seed")
              .range(0, 65535)
              .unit("1")
              .meaning("chooses sizes of ornament and wear, and which column stands where")
              .source("ours"),
-         choice(&P::walkthrough, "walkthrough", {"default", "walk_and_rest"})
-             .meaning("the length of the church, or 300 frames of slow walk and 300 of rest")
+         choice(&P::walkthrough, "walkthrough", {"default", "walk_and_rest", "full"})
+             .meaning("the length of the church, 300 frames of slow walk and 300 of rest, or 3500 "
+                      "frames through all of it")
              .source("ours")});
+}
+
+std::string_view get_file(Path path) {
+    constexpr std::array<std::string_view, 3> kFiles{
+        "scenes/cathedral/walkthrough.json", "scenes/cathedral/walkthrough_walk_and_rest.json",
+        "scenes/cathedral/walkthrough_full.json"};
+    return kFiles.at(static_cast<std::size_t>(path));
 }
 
 std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
@@ -51,16 +62,14 @@ std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
     cathedral::add_apse(kit);
     cathedral::add_choir(kit);
     cathedral::add_furniture(kit);
+    cathedral::add_aisle_furniture(kit);
     RigidSceneContent content = kit.take();
     // Light as from the clerestory; it casts no shadow (DirectionalLight), so that it reaches the
     // room at all.
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(-0.45, 0.75, 0.4)), glm::vec3(0.9f, 0.85f, 0.75f)});
     content.lights.ambient = glm::vec3(0.34f, 0.36f, 0.4f);
-    content.walkthrough =
-        get_embedded_walkthrough(parameters.walkthrough == Path::standard
-                                     ? "scenes/cathedral/walkthrough.json"
-                                     : "scenes/cathedral/walkthrough_walk_and_rest.json");
+    content.walkthrough = get_embedded_walkthrough(get_file(parameters.walkthrough));
     content.ao_radius_m = 0.5;
     return std::make_unique<RigidScene>(std::move(content));
 }

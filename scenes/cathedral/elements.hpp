@@ -14,5 +14,7 @@ void add_ribs(Kit& kit); ///< ribs.cpp: transverse, diagonal and wall ribs, boss
 void add_apse(Kit& kit); ///< apse.cpp: half-round wall with half dome, ribs, cornice, altar
 void add_choir(Kit& kit);     ///< choir.cpp: raised floor, stairs, balustrades, west gallery
 void add_furniture(Kit& kit); ///< furniture.cpp: pews, urns in the niches
+/// aisle_furniture.cpp: above detail 8, chairs along the outer walls and stands of candles
+void add_aisle_furniture(Kit& kit);
 
 } // namespace alcove::cathedral

@@ -27,7 +27,7 @@ double get_column_x(int line) {
 }
 
 Kit::Kit(double detail, int seed)
-    : m_scale(std::sqrt(0.25 * detail)), m_has_ornament(detail >= 0.2),
+    : m_scale(std::sqrt(0.25 * detail)), m_has_ornament(detail >= 0.2), m_is_crowded(detail > 8.0),
       m_random(static_cast<std::uint64_t>(seed) * 2 + 1) {}
 
 int Kit::segments(int at_four, int minimum) const {
@@ -39,14 +39,7 @@ double Kit::spacing(double at_default) const {
 }
 
 double Kit::vary(double value, double fraction) {
-    // SplitMix64 (G. Steele, D. Lea, C. Flood. Fast Splittable Pseudorandom Number Generators.
-    // 2014): the same numbers with every library, unlike the standard's distributions.
-    m_random += 0x9e3779b97f4a7c15ull;
-    std::uint64_t z = m_random;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    z ^= z >> 31;
-    const double unit = static_cast<double>(z >> 11) * 0x1.0p-53;
+    const double unit = m_random.draw_unit();
     return value * (1.0 + fraction * (2.0 * unit - 1.0));
 }
 

@@ -4,9 +4,9 @@
 
 #include "scenes/common/polygon.hpp"
 #include "scenes/common/rigid_scene.hpp"
+#include "scenes/common/split_mix.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 
 #include <glm/vec3.hpp>
@@ -54,6 +54,8 @@ class Kit {
     /// False below detail 0.2, where mouldings, wall ribs, clerestory tracery, urns and pew ends
     /// are left out.
     [[nodiscard]] bool has_ornament() const noexcept { return m_has_ornament; }
+    /// True above detail 8, where chairs and candles are put in.
+    [[nodiscard]] bool is_crowded() const noexcept { return m_is_crowded; }
     /// A value within +-fraction of the given one. Calls follow each other in a fixed order.
     [[nodiscard]] double vary(double value, double fraction);
 
@@ -70,7 +72,8 @@ class Kit {
   private:
     double m_scale;
     bool m_has_ornament;
-    std::uint64_t m_random;
+    bool m_is_crowded;
+    SplitMix m_random;
     RigidSceneContent m_content;
 };
 

@@ -142,6 +142,21 @@ void add_lathe(MeshBuilder& builder, const Contour& profile, int segments) {
     add_loft(builder, rings, LoftEnds::capped);
 }
 
+void add_lathe_at(MeshBuilder& builder, const glm::dvec3& foot, const Contour& profile,
+                  int segments) {
+    std::vector<Ring> rings;
+    for (const glm::dvec2& point : profile) {
+        Ring ring;
+        for (int i = 0; i < segments; ++i) {
+            const double angle = -2.0 * std::numbers::pi * i / segments;
+            ring.push_back(
+                foot + glm::dvec3(point.x * std::cos(angle), point.y, point.x * std::sin(angle)));
+        }
+        rings.push_back(std::move(ring));
+    }
+    add_loft(builder, rings, LoftEnds::capped);
+}
+
 void add_sweep(MeshBuilder& builder, const Contour& section, const std::vector<glm::dvec3>& path,
                const glm::dvec3& side) {
     ALCOVE_ASSERT(path.size() >= 2, "a path has two points");

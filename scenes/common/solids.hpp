@@ -44,6 +44,9 @@ void add_extrusion(MeshBuilder& builder, const Plane& plane, const Contour& outl
 /// Surface of revolution around +Y. `profile` holds (radius, height) upwards, radii >= 0; ends off
 /// the axis are capped.
 void add_lathe(MeshBuilder& builder, const Contour& profile, int segments);
+/// The same around the vertical through `foot`; heights above it.
+void add_lathe_at(MeshBuilder& builder, const glm::dvec3& foot, const Contour& profile,
+                  int segments);
 
 /// A section swept along a plane path: its x axis points along the path's normal (`side` cross
 /// tangent), its y axis along `side`, a unit vector perpendicular to the whole path. Corners are

@@ -25,7 +25,7 @@ bool measure(gl::Context& context, const Scene& scene, const char* name, Channel
     const gl::Functions& gl = context.functions();
     RoundGBuffers gbuffers(gl, scene, kSize, {}, GBufferStore(folder.path(), "benchmark"), {},
                            "wall");
-    const GBufferKey key{channels, {}};
+    const GBufferKey key{channels, {}, {}};
     gbuffers.add(key);
     std::vector<double> ratios;
     std::vector<double> draw_ms;

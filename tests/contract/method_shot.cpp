@@ -1,6 +1,6 @@
 #include "tests/contract/method_shot.hpp"
 
-#include "core/frame/scene_renderer.hpp"
+#include "core/contract/method_gbuffers.hpp"
 
 namespace alcove {
 
@@ -8,20 +8,17 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
     constexpr std::uint32_t kSeed = 1;
     const gl::Functions& gl = context.functions();
     const MethodRequests requests = method.get_requests();
-    const Border border = make_border(settings.size, requests.border);
-    const ImageSize gbuffer_size{settings.size.width + 2 * border.x,
-                                 settings.size.height + 2 * border.y};
-    const GBuffer gbuffer(gl, gbuffer_size, kBaseChannels | requests.channels, {});
     SceneRenderer renderer(gl, scene);
+    MethodGBuffers gbuffers(gl, renderer, scene, requests, settings.size, {});
     method.resize(settings.size);
     Shot shot;
     for (const int frame : settings.frames) {
         const FrameView view =
-            extend(make_frame_view(scene.get_walkthrough(), frame, settings.size, false), border);
+            make_frame_view(scene.get_walkthrough(), frame, settings.size, false);
         const PosedGeometry geometry = pose_geometry(scene, view.time_s);
         context.reset_state();
-        renderer.render(gbuffer, view);
-        MethodInputs inputs{view, gbuffer};
+        gbuffers.draw(view);
+        MethodInputs inputs = gbuffers.make_inputs();
         inputs.geometry = requests.posed_geometry ? &geometry : nullptr;
         inputs.lights = &scene.get_lights();
         inputs.noise_seed = kSeed;

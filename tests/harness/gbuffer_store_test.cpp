@@ -88,35 +88,37 @@ TEST(GBufferStore, WhatDecidesAChannelIsInItsKey) {
     const FrameView view = make_frame_view(scene.get_walkthrough(), 0, {32, 24}, true);
     GBufferStore store("unused", "driver");
     const Precision precision;
-    const std::string key = store.make_key(scene, view, precision, Channel::normal);
-    EXPECT_EQ(store.make_key(scene, view, precision, Channel::normal), key);
-    EXPECT_NE(store.make_key(scene, view, precision, Channel::albedo), key);
-    EXPECT_NE(store.make_key(plane, view, precision, Channel::normal), key);
-    EXPECT_NE(store.make_key(scene, view, parse_precision("eye_depth=16F"), Channel::normal), key);
+    const std::string key = store.make_key(scene, view, precision, Channel::normal, {});
+    EXPECT_EQ(store.make_key(scene, view, precision, Channel::normal, {}), key);
+    EXPECT_NE(store.make_key(scene, view, precision, Channel::albedo, {}), key);
+    EXPECT_NE(store.make_key(plane, view, precision, Channel::normal, {}), key);
+    EXPECT_NE(store.make_key(scene, view, parse_precision("eye_depth=16F"), Channel::normal, {}),
+              key);
     FrameView other = view;
     other.camera.fov_y_radians += 1e-9;
-    EXPECT_NE(store.make_key(scene, other, precision, Channel::normal), key);
+    EXPECT_NE(store.make_key(scene, other, precision, Channel::normal, {}), key);
     other = view;
     other.size = {24, 32};
-    EXPECT_NE(store.make_key(scene, other, precision, Channel::normal), key);
-    EXPECT_NE(GBufferStore("unused", "another").make_key(scene, view, precision, Channel::normal),
-              key);
+    EXPECT_NE(store.make_key(scene, other, precision, Channel::normal, {}), key);
+    EXPECT_NE(
+        GBufferStore("unused", "another").make_key(scene, view, precision, Channel::normal, {}),
+        key);
     // Neither the index nor a camera of the past is drawn.
     other = view;
     other.index = 7;
     other.previous_camera.position.x += 1.0;
-    EXPECT_EQ(store.make_key(scene, other, precision, Channel::normal), key);
+    EXPECT_EQ(store.make_key(scene, other, precision, Channel::normal, {}), key);
 }
 
 TEST(GBufferStore, MotionAlsoDependsOnThePoseBefore) {
     const TestScene scene = make_box_scene();
     FrameView view = make_frame_view(scene.get_walkthrough(), 1, {32, 24}, false);
     GBufferStore store("unused", "driver");
-    const std::string depth = store.make_key(scene, view, {}, Channel::eye_depth);
-    const std::string motion = store.make_key(scene, view, {}, Channel::motion);
+    const std::string depth = store.make_key(scene, view, {}, Channel::eye_depth, {});
+    const std::string motion = store.make_key(scene, view, {}, Channel::motion, {});
     view.previous_time_s = view.time_s;
-    EXPECT_EQ(store.make_key(scene, view, {}, Channel::eye_depth), depth);
-    EXPECT_NE(store.make_key(scene, view, {}, Channel::motion), motion);
+    EXPECT_EQ(store.make_key(scene, view, {}, Channel::eye_depth, {}), depth);
+    EXPECT_NE(store.make_key(scene, view, {}, Channel::motion, {}), motion);
 }
 
 TEST(GBufferStore, TimesComeBackAndBelongToTheirTimerAndChannels) {

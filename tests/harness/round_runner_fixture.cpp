@@ -45,6 +45,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     const Units shipped = get_units();
     std::vector<MethodUnit> units(shipped.methods.units().begin(), shipped.methods.units().end());
     units.push_back(make_history_method_unit(m_log));
+    units.push_back(make_parts_method_unit(m_parts));
     const Units all{Registry<MethodUnit>("methods", std::move(units)), shipped.metrics,
                     shipped.scenes};
     Experiment experiment;

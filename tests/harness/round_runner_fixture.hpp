@@ -4,6 +4,7 @@
 #include "harness/run/round_runner.hpp"
 #include "tests/core/gl/test_context.hpp"
 #include "tests/harness/history_method.hpp"
+#include "tests/harness/parts_method.hpp"
 #include "tests/harness/temporary_folder.hpp"
 
 #include <memory>
@@ -32,6 +33,7 @@ class RoundRunnerTest : public GlTest {
     [[nodiscard]] std::vector<SampleRow> find_samples(const std::string& cell_id,
                                                       SampleState state) const;
     [[nodiscard]] const std::vector<HistoryEntry>& log() const { return m_log->entries; }
+    [[nodiscard]] const PartsLog& parts_log() const { return *m_parts; }
 
     /// Set before run(): what is measured against, instead of traced rays.
     std::string m_reference;
@@ -46,6 +48,7 @@ class RoundRunnerTest : public GlTest {
     TemporaryFolder m_folder;
     ScopedVariable m_cache;
     std::shared_ptr<HistoryLog> m_log;
+    std::shared_ptr<PartsLog> m_parts = std::make_shared<PartsLog>();
     std::unique_ptr<Scene> m_scene;
     PlanRecord m_plan;
     RoundResult m_result;

@@ -38,8 +38,8 @@ TEST(SceneSource, NamesTheNearestOfEachPart) {
                  {"lifted_box", "nearest: speed"});
     expect_error([] { static_cast<void>(open_spec("lifted_box:speed=fats")); }, 2,
                  {"lifted_box", "nearest: fast"});
-    expect_error([] { static_cast<void>(open_spec("cathedral:detail=9")); }, 2,
-                 {"cathedral", "detail", "9", "8"});
+    expect_error([] { static_cast<void>(open_spec("cathedral:detail=300")); }, 2,
+                 {"cathedral", "detail", "300", "256"});
     expect_error([] { static_cast<void>(open_spec("template_scene:detail=1")); }, 2,
                  {"template_scene", "detail"});
 }

@@ -178,8 +178,8 @@ TEST_F(LayersTest, AnExtraViewLooksAtTheSamePointFromBesideTheViewer) {
     const TestScene scene = make_box_scene();
     const FrameView view = make_frame_view(scene.get_walkthrough(), 0, kSize, false);
     const BoundingSphere sphere = compute_bounding_sphere(scene);
-    GBufferPart part{PartKind::view, 1, {{1.0, 0.0, 0.0}, 0.5}};
-    const FrameView beside = place_view(view, part, sphere);
+    const GBufferPart part{PartKind::view, 1, {{1.0, 0.0, 0.0}, 0.5}};
+    const FrameView beside = make_part_view(part, view, {}, sphere);
     EXPECT_EQ(beside.size, (ImageSize{80, 50}));
     EXPECT_NEAR(glm::distance(beside.camera.position, view.camera.position), sphere.radius_m,
                 1e-9 * sphere.radius_m);
