@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -44,12 +45,15 @@ ParameterTable make_table() {
 class CityScene final : public Scene {
   public:
     CityScene(RigidSceneContent content, city::Movers movers)
-        : m_rest(std::move(content)), m_movers(std::move(movers)) {}
+        : m_rest(std::move(content)), m_movers(std::move(movers)),
+          m_objects(m_rest.get_objects().begin(), m_rest.get_objects().end()) {
+        for (const std::size_t object : city::list_moving_objects(m_movers)) {
+            m_objects[object].motion = ObjectMotion::rigid;
+        }
+    }
 
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_rest.get_meshes(); }
-    [[nodiscard]] std::span<const Object> get_objects() const override {
-        return m_rest.get_objects();
-    }
+    [[nodiscard]] std::span<const Object> get_objects() const override { return m_objects; }
     [[nodiscard]] const Lights& get_lights() const override { return m_rest.get_lights(); }
     [[nodiscard]] const Walkthrough& get_walkthrough() const override {
         return m_rest.get_walkthrough();
@@ -65,6 +69,7 @@ class CityScene final : public Scene {
   private:
     RigidScene m_rest;
     city::Movers m_movers;
+    std::vector<Object> m_objects;
 };
 
 std::unique_ptr<Scene> open_city(const ResolvedParameters& resolved) {
