@@ -1,34 +1,11 @@
 #include "scenes/city/elements.hpp"
-#include "scenes/common/solids.hpp"
+#include "scenes/common/figure_shapes.hpp"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace alcove::city {
 namespace {
-
-/// A limb's section at a height: half axes along and across the way, and how far it is moved along.
-struct Slice {
-    double y = 0.0;
-    double along = 0.0;
-    double across = 0.0;
-    double shift = 0.0;
-};
-
-void add_limb(MeshBuilder& builder, const std::vector<Slice>& slices, int around) {
-    std::vector<Ring> rings;
-    for (const Slice& slice : slices) {
-        Ring ring;
-        for (int i = 0; i < around; ++i) {
-            const double angle = -2.0 * std::numbers::pi * i / around;
-            ring.emplace_back(slice.shift + slice.along * std::cos(angle), slice.y,
-                              slice.across * std::sin(angle));
-        }
-        rings.push_back(std::move(ring));
-    }
-    add_loft(builder, rings, LoftEnds::capped);
-}
 
 /// From its joint down, thick at both ends so that neighbours reach into each other.
 std::size_t add_rod(Kit& kit, const char* name, const glm::vec3& albedo, double length,
