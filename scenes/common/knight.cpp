@@ -9,7 +9,7 @@ namespace {
 
 WalkerBody make_body() {
     WalkerBody body;
-    body.hip = 0.93;
+    body.hip = 0.94;
     body.thigh_length = 0.45;
     body.shin_length = 0.44;
     body.ankle = 0.09;
@@ -17,6 +17,7 @@ WalkerBody make_body() {
     body.neck = 0.56;
     body.upper_arm_length = 0.3;
     body.half_hips = 0.1;
+    body.cycle = 1.0;
     body.half_shoulders = 0.235;
     body.arms = {{{0.1, 0.1, 1.25, 0.06}, {0.05, 0.25, 0.55, 0.1}}}; // shield, sword
     return body;

@@ -51,7 +51,7 @@ static_assert(kCycles % Cloak::kRepeat == 0);
 CircleWalk make_walk() {
     CircleWalk walk;
     walk.radius = kCycles * get_knight_body().cycle / (2.0 * std::numbers::pi);
-    walk.speed = 1.1;
+    walk.speed = 1.0;
     return walk;
 }
 
