@@ -81,7 +81,9 @@ Cloak::Cloak(double detail, int seed, double hip_m)
                {0.020, -3, 9.0, 5.5, 1.4, draw_phase()},
                {0.014, -5, 15.0, 8.5, 1.8, draw_phase()},
                {0.040, -4, 1.6, 2.6, 2.0, 0.0}};
-    const int folds = 5 + random.draw_index(2);
+    // Seven columns draw a fold; without twice as many the fine ones are left out.
+    const int folds = std::min(5 + random.draw_index(2), m_sheet.columns() / 7);
+    const double fine = m_sheet.columns() < 14 * folds ? 0.0 : 0.3;
     const double fold_phase = draw_phase();
     const double fine_phase = draw_phase();
     for (int row = 0; row <= m_sheet.rows(); ++row) {
@@ -102,7 +104,7 @@ Cloak::Cloak(double detail, int seed, double hip_m)
         for (const double u : m_columns) {
             // Folds spread like a fan; a fine one lies beside each broad one.
             const double broad = std::numbers::pi * folds * u + fold_phase + 0.9 * row.v;
-            const double fold = std::sin(broad) + 0.3 * std::sin(2.0 * broad + fine_phase) +
+            const double fold = std::sin(broad) + fine * std::sin(2.0 * broad + fine_phase) +
                                 0.25 * std::sin(0.5 * broad + fine_phase);
             const double lag = 0.03 * std::cos(broad) * row.free;
             const double angle = u * section.angle + lag;

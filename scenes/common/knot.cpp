@@ -33,9 +33,10 @@ glm::dvec3 point_outward(double t) {
 
 /// Strands that wind around the rope, and a fine chisel on them.
 double carve(double t, double turn) {
-    const double strand = std::abs(std::cos(0.5 * (4.0 * turn + 18.0 * t)));
+    const double sine = std::sin(0.5 * (4.0 * turn + 18.0 * t));
+    const double strand = 1.0 - std::pow(sine * sine, 4.0); // 0 in the groove, 1 on the strand
     const double chisel = std::cos(140.0 * t - 6.0 * turn);
-    return kRope * (0.87 + 0.2 * std::sqrt(strand) + 0.014 * chisel * strand);
+    return kRope * (0.85 + 0.2 * strand + 0.012 * chisel * strand);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "tests/scenes/solid_check.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <glm/geometric.hpp>
