@@ -16,7 +16,7 @@ constexpr double kForearm_m = 0.25;
 
 WalkerBody make_body() {
     WalkerBody body;
-    body.hip = 0.89;
+    body.hip = 0.88;
     body.thigh_length = 0.42;
     body.shin_length = 0.42;
     body.ankle = 0.07;

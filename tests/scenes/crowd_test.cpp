@@ -25,7 +25,7 @@ TEST(Crowd, HasTwelveDeformingKnightsAndGrowsToHalfAMillionTriangles) {
     EXPECT_EQ(find_objects(*scene, " body").size(), 12u);
     EXPECT_EQ(find_objects(*scene, " cloak").size(), 12u);
     EXPECT_NEAR(static_cast<double>(count_size(*scene).triangles), 65'000.0, 10'000.0);
-    EXPECT_NEAR(static_cast<double>(count_size(*open("10.9")).triangles), 500'000.0, 15'000.0);
+    EXPECT_NEAR(static_cast<double>(count_size(*open("10.2")).triangles), 500'000.0, 15'000.0);
 }
 
 TEST(Crowd, BodiesAndCloaksStayClosed) {
@@ -64,12 +64,15 @@ TEST(Crowd, KnightsKeepTheirDistance) {
 
 TEST(Crowd, NoTwoWalkInStep) {
     const std::unique_ptr<Scene> scene = open();
-    std::set<long> heights;
+    std::set<long> sways;
     for (const std::size_t cloak : find_objects(*scene, " cloak")) {
-        const Deformation shape = scene->deform(cloak, 1.0);
-        heights.insert(std::lround(1e6 * static_cast<double>(shape.positions.back().z)));
+        double sideways = 0.0;
+        for (const glm::vec3& position : scene->deform(cloak, 1.0).positions) {
+            sideways += static_cast<double>(position.z);
+        }
+        sways.insert(std::lround(1e4 * sideways));
     }
-    EXPECT_EQ(heights.size(), 12u);
+    EXPECT_EQ(sways.size(), 12u);
 }
 
 TEST(Crowd, FeetStandWithoutSlidingOnBothSenses) {
