@@ -109,10 +109,10 @@ MeshBuilder make_breastplate(int around, int steps) {
 MeshBuilder make_belt(int around) {
     MeshBuilder builder;
     add_limb(builder,
-             {{0.062, 0.135, 0.175, 0.01},
-              {0.068, 0.144, 0.184, 0.01},
-              {0.108, 0.14, 0.18, 0.01},
-              {0.114, 0.13, 0.17, 0.01}},
+             {{0.062, 0.14, 0.18, 0.01},
+              {0.068, 0.152, 0.192, 0.01},
+              {0.108, 0.149, 0.189, 0.01},
+              {0.114, 0.135, 0.175, 0.01}},
              around);
     return builder;
 }

@@ -166,9 +166,9 @@ void add_surcoat(BodyBuilder& body, const WalkPose& rest, const glm::vec3& colou
         for (int i = 0; i < around; ++i) {
             const double angle = -2.0 * std::numbers::pi * i / around;
             const double pleat = 1.0 + 0.06 * wide * std::sin(9.0 * angle + 0.5);
-            ring.emplace_back(hips.x + 0.01 +
-                                  ((0.125 + 0.1 * wide) * pleat - inset) * std::cos(angle),
-                              hips.y + y, ((0.165 + 0.1 * wide) * pleat - inset) * std::sin(angle));
+            ring.emplace_back(
+                hips.x + 0.01 + ((0.138 + 0.09 * wide) * pleat - inset) * std::cos(angle),
+                hips.y + y, ((0.178 + 0.09 * wide) * pleat - inset) * std::sin(angle));
         }
         return ring;
     };
