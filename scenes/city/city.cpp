@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -47,8 +46,14 @@ class CityScene final : public Scene {
     CityScene(RigidSceneContent content, city::Movers movers)
         : m_rest(std::move(content)), m_movers(std::move(movers)),
           m_objects(m_rest.get_objects().begin(), m_rest.get_objects().end()) {
-        for (const std::size_t object : city::list_moving_objects(m_movers)) {
-            m_objects[object].motion = ObjectMotion::rigid;
+        // Whatever the movers place does not keep the nothing that is handed to them.
+        const glm::dmat4 nothing(0.0);
+        std::vector<glm::dmat4> placed(m_objects.size(), nothing);
+        city::pose_movers(m_movers, 0.0, placed);
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            if (placed[i] != nothing) {
+                m_objects[i].motion = ObjectMotion::rigid;
+            }
         }
     }
 
@@ -69,7 +74,7 @@ class CityScene final : public Scene {
   private:
     RigidScene m_rest;
     city::Movers m_movers;
-    std::vector<Object> m_objects;
+    std::vector<Object> m_objects; ///< those of m_rest, with what moves
 };
 
 std::unique_ptr<Scene> open_city(const ResolvedParameters& resolved) {

@@ -47,20 +47,6 @@ double measure_way(const Drive& drive, double time_s) {
     return std::clamp(drive.speed * time_s, 0.0, drive.length);
 }
 
-std::vector<std::size_t> list_moving_objects(const Movers& movers) {
-    std::vector<std::size_t> objects;
-    for (const Vehicle& vehicle : movers.vehicles) {
-        objects.insert(objects.end(), vehicle.bodies.begin(), vehicle.bodies.end());
-        for (const Wheel& wheel : vehicle.wheels) {
-            objects.push_back(wheel.object);
-        }
-    }
-    for (const Walker& walker : movers.walkers) {
-        objects.insert(objects.end(), walker.objects.begin(), walker.objects.end());
-    }
-    return objects;
-}
-
 void pose_movers(const Movers& movers, double time_s, std::vector<glm::dmat4>& transforms) {
     for (const Vehicle& vehicle : movers.vehicles) {
         pose_vehicle(vehicle, time_s, transforms);

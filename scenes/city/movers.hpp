@@ -54,9 +54,6 @@ struct Movers {
     std::vector<Walker> walkers;
 };
 
-/// Of all movers.
-[[nodiscard]] std::vector<std::size_t> list_moving_objects(const Movers& movers);
-
 /// Writes the transforms of all movers' objects.
 void pose_movers(const Movers& movers, double time_s, std::vector<glm::dmat4>& transforms);
 

@@ -34,7 +34,12 @@ std::string join(std::span<const std::string_view> names) {
     return text;
 }
 
-using FileMap = std::map<std::string, fs::path, std::less<>>;
+/// A buffer may use the beginning of a file.
+struct BufferFile {
+    fs::path path;
+    std::uintmax_t bytes = 0;
+};
+using FileMap = std::map<std::string, BufferFile, std::less<>>;
 
 /// The buffers' files by their decoded URI; every other name does not exist for the parser.
 FileMap resolve_buffers(const nlohmann::json& json, const fs::path& path) {
@@ -64,13 +69,15 @@ FileMap resolve_buffers(const nlohmann::json& json, const fs::path& path) {
             continue;
         }
         const std::string decoded = decode_percent(uri);
-        files[decoded] = resolve_gltf_uri(path, decoded, where + ".uri");
+        BufferFile& file = files[decoded];
+        file = {resolve_gltf_uri(path, decoded, where + ".uri"),
+                buffer["byteLength"].get<std::uint64_t>()};
         std::error_code error;
-        const std::uintmax_t size = fs::file_size(files[decoded], error);
-        if (error || size > kLargestFile || size < buffer["byteLength"].get<std::uint64_t>()) {
+        const std::uintmax_t size = fs::file_size(file.path, error);
+        if (error || size > kLargestFile || size < file.bytes) {
             throw InputError(where + ".uri", "missing, or not of the size told",
                              error ? uri + ": " + error.message() : std::to_string(size) + " bytes",
-                             std::to_string(buffer["byteLength"].get<std::uint64_t>()) + " bytes");
+                             std::to_string(file.bytes) + " bytes");
         }
     }
     return files;
@@ -148,8 +155,9 @@ tinygltf::FsCallbacks make_callbacks(FileMap& files) {
             return false;
         }
         try {
-            const std::string bytes = read_file(found->second, kLargestFile);
-            out->assign(bytes.begin(), bytes.end());
+            const std::string bytes = read_file(found->second.path, kLargestFile);
+            const auto used = std::min<std::uintmax_t>(bytes.size(), found->second.bytes);
+            out->assign(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(used));
             return true;
         } catch (const Error& failure) { // must not pass through the parser
             *error += failure.what();

@@ -119,7 +119,8 @@ class SceneExporter {
         const std::size_t inner = m_glb.add("nodes", std::move(node));
         if (const auto places = split_all(poses, glm::inverse(poses.front()))) {
             const std::size_t outer =
-                m_glb.add("nodes", {{"name", object.name + " moves"}, {"children", nlohmann::json::array({inner})}});
+                m_glb.add("nodes", {{"name", object.name + " moves"},
+                                    {"children", nlohmann::json::array({inner})}});
             m_motion.add(outer, *places);
             m_children.push_back(outer);
             return;
@@ -141,25 +142,32 @@ class SceneExporter {
         return places;
     }
 
-    /// Deforming objects have meshes of their own, the others share them.
+    /// Deforming objects have meshes of their own, the others share them. A reader turns the
+    /// triangles of a mirroring node around (glTF 2.0, 3.7.4), and a scene has them turned already.
     [[nodiscard]] std::size_t find_mesh(std::size_t index) {
         const Object& object = m_scene.get_objects()[index];
+        const bool is_turned = glm::determinant(glm::dmat3(m_poses[index].front())) < 0.0;
         const Mesh& mesh = m_scene.get_meshes()[object.mesh];
         if (object.motion == ObjectMotion::deforming) {
             m_warnings.insert("stands as on frame 0, its vertices do not move: " + object.name);
             const Deformation shape = m_scene.deform(index, 0.0);
-            return add_mesh(mesh, shape.positions, shape.normals);
+            return add_mesh(mesh, shape.positions, shape.normals, is_turned);
         }
-        const auto known = m_meshes.find(object.mesh);
+        const auto key = std::pair(object.mesh, is_turned);
+        const auto known = m_meshes.find(key);
         if (known != m_meshes.end()) {
             return known->second;
         }
-        return m_meshes.emplace(object.mesh, add_mesh(mesh, mesh.positions, mesh.normals))
+        return m_meshes.emplace(key, add_mesh(mesh, mesh.positions, mesh.normals, is_turned))
             .first->second;
     }
 
     [[nodiscard]] std::size_t add_mesh(const Mesh& mesh, const std::vector<glm::vec3>& positions,
-                                       const std::vector<glm::vec3>& normals) {
+                                       const std::vector<glm::vec3>& normals, bool is_turned) {
+        std::vector<std::uint32_t> indices = mesh.indices;
+        for (std::size_t i = 0; is_turned && i < indices.size(); i += 3) {
+            std::swap(indices[i + 1], indices[i + 2]);
+        }
         nlohmann::json attributes{
             {"POSITION", m_glb.add_floats(flatten(positions), 3, kVertexArray)},
             {"NORMAL", m_glb.add_floats(flatten(normals), 3, kVertexArray)}};
@@ -171,9 +179,10 @@ class SceneExporter {
                 m_glb.add_floats(flatten(mesh.texture_coordinates), 2, kVertexArray);
         }
         const nlohmann::json primitive{{"attributes", attributes},
-                                       {"indices", m_glb.add_indices(mesh.indices)},
+                                       {"indices", m_glb.add_indices(indices)},
                                        {"material", find_material(mesh)}};
-        return m_glb.add("meshes", {{"name", mesh.name}, {"primitives", nlohmann::json::array({primitive})}});
+        return m_glb.add("meshes",
+                         {{"name", mesh.name}, {"primitives", nlohmann::json::array({primitive})}});
     }
 
     [[nodiscard]] std::size_t find_material(const Mesh& mesh) {
@@ -249,7 +258,7 @@ class SceneExporter {
     MotionExporter m_motion;
     std::set<std::string> m_warnings;
     std::vector<std::vector<glm::dmat4>> m_poses; ///< of each object, a frame; one if it is still
-    std::map<std::size_t, std::size_t> m_meshes;
+    std::map<std::pair<std::size_t, bool>, std::size_t> m_meshes; ///< by mesh, turned or not
     std::map<MaterialKey, std::size_t> m_materials;
     std::vector<std::size_t> m_children;
 };

@@ -14,6 +14,29 @@ namespace {
 
 constexpr int kLargestSide = 8192;
 
+/// Throws unless the chunks fit the file and the last is IEND: where a PNG ends too early, the
+/// library jumps out of its reader and leaks.
+void check_png(std::span<const unsigned char> bytes, const std::string& where) {
+    constexpr std::size_t kSignature = 8;
+    constexpr std::size_t kFrame = 12; // length, name and checksum of a chunk
+    std::size_t at = kSignature;
+    while (at <= bytes.size() && bytes.size() - at >= kFrame) {
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            length = length << 8u | bytes[at + i];
+        }
+        if (length > bytes.size() - at - kFrame) {
+            break;
+        }
+        if (std::equal(bytes.begin() + static_cast<std::ptrdiff_t>(at) + 4,
+                       bytes.begin() + static_cast<std::ptrdiff_t>(at) + 8, "IEND")) {
+            return;
+        }
+        at += kFrame + length;
+    }
+    throw InputError(where, "image is truncated", std::to_string(bytes.size()) + " bytes");
+}
+
 /// A name by which the library knows the format; nothing for formats that glTF does not have.
 const char* name_format(std::span<const unsigned char> bytes, const std::string& where) {
     constexpr std::array<unsigned char, 4> kPng{0x89, 'P', 'N', 'G'};
@@ -22,6 +45,7 @@ const char* name_format(std::span<const unsigned char> bytes, const std::string&
         return bytes.size() > magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
     };
     if (starts_with(kPng)) {
+        check_png(bytes, where);
         return "texture.png";
     }
     if (starts_with(kJpeg)) {

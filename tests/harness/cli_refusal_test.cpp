@@ -65,9 +65,10 @@ TEST_F(Refusal, ValuesOutOfRangeNameTheRange) {
 }
 
 TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
-    for (const char* verb : {"score", "scene", "tune", "view"}) {
+    for (const char* verb : {"score", "tune", "view"}) {
         expect_refused({verb, "argument", "--flag"}, 2, {verb, "planned"});
     }
+    expect_refused({"scene", "fetch", "bunny"}, 2, {"scene fetch", "planned"});
     expect_refused({"run", "--warm"}, 2, {"--warm", "--frames A:B"});
     expect_refused({"run", "--audit", "3"}, 2, {"--audit", "0 to 1"});
     expect_refused({"run", "--sweep", "hemisphere_ssao.sampels=8"}, 2, {"nearest: samples"});
@@ -75,6 +76,14 @@ TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     expect_refused({"run", "defualt"}, 2, {"defualt", "nearest: default"});
     expect_refused({"run", "--shard", "1/2"}, 2, {"--shard", "planned"});
     EXPECT_FALSE(std::filesystem::exists(folder() / "runs")) << "left behind by what was refused";
+}
+
+TEST_F(Refusal, ScenesAreExportedOnlyAsTheyAreAskedFor) {
+    expect_refused({"scene", "exprot", "bunny"}, 2, {"exprot", "nearest: export"});
+    expect_refused({"scene", "export", "template_scene"}, 2, {"--out", ".glb"});
+    expect_refused({"scene", "export", "template_scene", "--out", "a.obj"}, 2, {"a.obj", ".glb"});
+    expect_refused({"scene", "export", "no_such", "--out", "a.glb"}, 2, {"no_such"});
+    EXPECT_FALSE(std::filesystem::exists(folder() / "a.glb"));
 }
 
 TEST_F(Refusal, PlannedPartsStandInTheHelp) {

@@ -91,6 +91,8 @@ TEST(GBufferStore, WhatDecidesAChannelIsInItsKey) {
     const std::string key = store.make_key(scene, view, precision, Channel::normal, {});
     EXPECT_EQ(store.make_key(scene, view, precision, Channel::normal, {}), key);
     EXPECT_NE(store.make_key(scene, view, precision, Channel::albedo, {}), key);
+    EXPECT_NE(store.make_key(scene, view, precision, Channel::normal, {PartKind::layer, 2, {}}),
+              key);
     EXPECT_NE(store.make_key(plane, view, precision, Channel::normal, {}), key);
     EXPECT_NE(store.make_key(scene, view, parse_precision("eye_depth=16F"), Channel::normal, {}),
               key);
@@ -126,9 +128,9 @@ TEST(GBufferStore, TimesComeBackAndBelongToTheirTimerAndChannels) {
     const TestScene scene = make_box_scene();
     const FrameView view = make_frame_view(scene.get_walkthrough(), 0, {32, 24}, true);
     GBufferStore store(folder.path(), "driver");
-    const std::string key = store.make_times_key(scene, view, {}, kBaseChannels, "finish");
-    EXPECT_NE(store.make_times_key(scene, view, {}, kBaseChannels, "wall"), key);
-    EXPECT_NE(store.make_times_key(scene, view, {}, {Channel::normal}, "finish"), key);
+    const std::string key = store.make_times_key(scene, view, {}, kBaseChannels, {}, "finish");
+    EXPECT_NE(store.make_times_key(scene, view, {}, kBaseChannels, {}, "wall"), key);
+    EXPECT_NE(store.make_times_key(scene, view, {}, {Channel::normal}, {}, "finish"), key);
     EXPECT_FALSE(store.read_times(key));
     store.write_times(key, std::vector<std::int64_t>{5, -3, 1000000000000});
     EXPECT_EQ(store.read_times(key), (std::vector<std::int64_t>{5, -3, 1000000000000}));

@@ -26,8 +26,9 @@ RigResult DepthImageTest::run(const MethodUnit& unit, const ResolvedParameters& 
     view.size = size;
     PassRecorder passes(PassTiming::none);
     context().reset_state();
-    const MethodOutput output =
-        method->render({view, gbuffer, nullptr, nullptr, noise_seed}, passes);
+    MethodInputs inputs{view, gbuffer};
+    inputs.noise_seed = noise_seed;
+    const MethodOutput output = method->render(inputs, passes);
     return {gl::read_texture(gl(), *output.visibility, 1),
             gl::read_texture(gl(), gbuffer.texture(Channel::normal), 3), passes.names()};
 }

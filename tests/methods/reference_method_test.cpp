@@ -42,7 +42,10 @@ TEST_F(ReferenceMethodTest, ItsImageIsTheMeanOfTheTracersHalves) {
     method->resize(kSize);
     const GBuffer gbuffer(gl(), kSize, kBaseChannels, {});
     PassRecorder passes(PassTiming::none);
-    const MethodOutput output = method->render({view, gbuffer, &geometry, nullptr, 99}, passes);
+    MethodInputs inputs{view, gbuffer};
+    inputs.geometry = &geometry;
+    inputs.noise_seed = 99;
+    const MethodOutput output = method->render(inputs, passes);
 
     TraceSettings settings;
     settings.target = {0.5, Falloff::quadratic, Weighting::cosine, Normals::shading};

@@ -2,6 +2,7 @@
 
 #include "core/base/file.hpp"
 #include "scenes/common/gltf_scene.hpp"
+#include "scenes/common/rigid_scene.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 #include "scenes/common/walkthrough_writer.hpp"
 #include "scenes/registry.hpp"
@@ -120,6 +121,37 @@ TEST_F(GltfExport, BunnyComesBack) {
     }
     const auto scene = open_unit("bunny", {});
     expect_same(*scene, *reopen(*scene));
+}
+
+TEST_F(GltfExport, SurfacesMirroredAndFarFromZeroComeBack) {
+    Mesh mesh;
+    mesh.name = "sheet";
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    mesh.normals.assign(3, {0, 0, 1});
+    mesh.indices = {0, 1, 2};
+    mesh.albedo = {0.25f, 0.5f, 0.75f};
+    mesh.colors = {{1, 0, 0}, {0, 0.125f, 0}, {0, 0, 1}};
+    mesh.texture_coordinates = {{0, 0}, {2, 0}, {0, 0.5f}};
+    mesh.texture = 0;
+    RigidSceneContent content;
+    content.meshes = {mesh};
+    content.textures = {{"picture", {2, 1}, {255, 0, 7, 0, 9, 100}}};
+    content.objects = {{"plain", 0}, {"mirrored", 0}};
+    content.transforms = {glm::dmat4(1.0), glm::dmat4(1.0)};
+    content.transforms[1][0][0] = -2.0;
+    content.origin = {1e7, 0.0, -1e7};
+    content.walkthrough.cameras.assign(
+        60, make_look_at_camera({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1.0, 0.1, 10.0));
+    const RigidScene scene(std::move(content));
+    const auto back = reopen(scene);
+    expect_same(scene, *back);
+    ASSERT_EQ(back->get_textures().size(), 1u);
+    EXPECT_EQ(back->get_textures()[0].rgb, scene.get_textures()[0].rgb);
+    EXPECT_EQ(back->get_meshes()[0].texture, std::optional<std::size_t>(0));
+    EXPECT_LT(glm::distance(back->get_origin(), scene.get_origin()), 10.0);
+    // The far node is told in double: nothing of it is lost.
+    EXPECT_EQ(back->compute_pose(0.0).object_to_world[1],
+              scene.compute_pose(0.0).object_to_world[1]);
 }
 
 /// The rules of glTF 2.0, 3.6 and 4.4 that a reader may be lax about.

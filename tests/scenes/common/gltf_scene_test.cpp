@@ -46,6 +46,11 @@ TEST_F(GltfScene, OpensBinaryContainersAndDataUris) {
     EXPECT_EQ(count_size(*open(parts.text())).triangles, 2u);
 }
 
+TEST_F(GltfScene, ABufferMayUseTheBeginningOfAFile) {
+    write("square.bin", make_square() + "more");
+    EXPECT_EQ(count_size(*open(Parts{}.text())).triangles, 2u);
+}
+
 TEST_F(GltfScene, TurnsStripsAndFansIntoTrianglesOfOneFacing) {
     Parts parts;
     parts.primitive = R"({"attributes":{"POSITION":0},"mode":6})";
