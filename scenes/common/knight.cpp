@@ -1,6 +1,7 @@
 #include "scenes/common/knight.hpp"
 
 #include "core/base/assert.hpp"
+#include "scenes/common/grid.hpp"
 
 #include <glm/matrix.hpp>
 
@@ -103,6 +104,9 @@ void KnightTroop::append_nodes(double time_s, std::vector<glm::dmat4>& nodes) co
                       walk.curvature());
         nodes.push_back(frame);
         nodes.insert(nodes.end(), pose.begin(), pose.end());
+        for (auto node = nodes.end() - kNodes; node != nodes.end(); ++node) {
+            (*node)[3] = glm::dvec4(snap_to_grid(glm::dvec3((*node)[3])), 1.0);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 #include "scenes/crowd/crowd.hpp"
 
+#include "scenes/common/grid.hpp"
 #include "scenes/common/knight.hpp"
 #include "scenes/common/pedestal.hpp"
 #include "scenes/common/solids.hpp"
@@ -132,6 +133,7 @@ std::unique_ptr<Scene> open_crowd(const ResolvedParameters& resolved) {
         {glm::normalize(glm::dvec3(0.5, 0.9, 0.6)), glm::vec3(0.95f, 0.9f, 0.8f)});
     content.lights.ambient = glm::vec3(0.46f, 0.49f, 0.54f);
     content.walkthrough = get_embedded_walkthrough("scenes/crowd/walkthrough.json");
+    snap_cameras(content.walkthrough);
     content.ao_radius_m = 0.4;
     return std::make_unique<AnimatedScene>(std::move(content));
 }

@@ -1,5 +1,6 @@
 #include "scenes/paladin/paladin.hpp"
 
+#include "scenes/common/grid.hpp"
 #include "scenes/common/knight.hpp"
 #include "scenes/common/solids.hpp"
 #include "scenes/common/walkthrough_file.hpp"
@@ -152,6 +153,7 @@ std::unique_ptr<Scene> open_paladin(const ResolvedParameters& resolved) {
     content.walkthrough = get_embedded_walkthrough(parameters.walkthrough == Path::standard
                                                        ? "scenes/paladin/walkthrough.json"
                                                        : "scenes/paladin/walkthrough_walk.json");
+    snap_cameras(content.walkthrough);
     content.ao_radius_m = 0.4;
     return std::make_unique<AnimatedScene>(std::move(content));
 }
