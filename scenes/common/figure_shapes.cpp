@@ -29,7 +29,10 @@ void add_limb(MeshBuilder& builder, const std::vector<Slice>& slices, int around
         for (int i = 0; i < around; ++i) {
             const double angle = -kTurn * i / around;
             ring.emplace_back(slice.shift + slice.along * std::cos(angle), slice.y,
-                              slice.aside + slice.across * std::sin(angle));
+                              slice.across * std::sin(angle));
+            if (slice.aside != 0.0) { // else -0 stays -0, and hashes of scenes what they are
+                ring.back().z += slice.aside;
+            }
         }
         rings.push_back(std::move(ring));
     }
