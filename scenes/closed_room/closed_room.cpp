@@ -73,12 +73,9 @@ std::vector<Slot> list_slots(SplitMix& random) {
         slots.push_back({{x, 0.0, -kHalfZ + kBack}, 0.0});
         slots.push_back({{x, 0.0, kHalfZ - kBack}, kPi});
     }
-    for (int i = 0; i < 5; ++i) {
-        const double z = -1.36 + 0.68 * i;
-        if (i != 2) { // the narrow sides have a gap in the middle
-            slots.push_back({{-kHalfX + kBack, 0.0, z}, 0.5 * kPi});
-            slots.push_back({{kHalfX - kBack, 0.0, z}, -0.5 * kPi});
-        }
+    for (const double z : {-1.3, -0.45, 0.45, 1.3}) {
+        slots.push_back({{-kHalfX + kBack, 0.0, z}, 0.5 * kPi});
+        slots.push_back({{kHalfX - kBack, 0.0, z}, -0.5 * kPi});
     }
     for (std::size_t i = slots.size(); i > 1; --i) {
         std::swap(slots[i - 1],
@@ -104,7 +101,7 @@ std::unique_ptr<Scene> open_closed_room(const ResolvedParameters& resolved) {
     const std::vector<Slot> slots = list_slots(random);
     const int first = random.draw_index(static_cast<int>(slots.size()));
     for (int i = 0; i + 1 < parameters.props; ++i) {
-        // In turn, so that there are as many of each kind; moved so that no two tops lie in line.
+        // In turn, so that there are as many of each kind.
         const std::size_t mesh = meshes[static_cast<std::size_t>(first + i) % meshes.size()];
         const Slot& slot = slots.at(static_cast<std::size_t>(i));
         kit.place(mesh, make_place(slot.position, slot.radians));

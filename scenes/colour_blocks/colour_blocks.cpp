@@ -59,7 +59,7 @@ std::unique_ptr<Scene> open_colour_blocks(const ResolvedParameters& resolved) {
                 make_place({-0.25, 0.0, 0.75}, 0.7));
     } else {
         // The floor before the yellow side and the block on it receive its light.
-        kit.add(make_panel(), make_place({0.0, 0.0, -0.5}));
+        kit.add(make_panel(), make_place({0.0, 0.0, -0.5}, 0.25));
         kit.add(make_block("white", kFloor, {0.4, 0.5, 0.4}), make_place({0.95, 0.0, 0.35}, 0.4));
         kit.add(make_block("red", kRed, {0.45, 0.45, 0.45}), make_place({-1.15, 0.0, -0.2}, 0.5));
         kit.add(make_block("blue", kBlue, {0.4, 0.8, 0.4}), make_place({1.25, 0.0, -0.75}, 0.1));

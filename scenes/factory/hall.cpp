@@ -118,8 +118,10 @@ void add_hall(SceneKit& kit, const Fineness& fineness) {
         if (side > 0.0) {
             std::reverse(outline.begin(), outline.end());
         }
-        add_extrusion(roof, {{-end - 0.3, side * 0.004, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}},
-                      outline, {}, 2.0 * end + 0.6);
+        add_extrusion(
+            roof,
+            {{-end - 0.3 + 0.02 * side, side * 0.004, 0.0}, {0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}},
+            outline, {}, 2.0 * end + 0.6);
         kit.add(roof.finish(side < 0.0 ? "south roof" : "north roof", glm::vec3(0.45f), 0.0));
     }
     const std::size_t window = kit.add_mesh(make_window(fineness));

@@ -194,17 +194,17 @@ void add_machines(SceneKit& kit, const Fineness& fineness) {
     kit.place(boiler, make_place({-0.2, 0.0, 3.6}));
     kit.place(boiler, make_place({5.0, 0.0, 3.6}));
     const std::size_t press = kit.add_mesh(make_press(fineness));
-    for (const double x : {-7.6, -2.6, 7.2}) {
+    for (const double x : {-7.4, -2.4, 7.8}) {
         kit.place(press, make_place({x, 0.0, -4.4}, kPi));
     }
     const std::size_t pump = kit.add_mesh(make_pump(fineness));
-    for (const double x : {-10.4, -5.0, 0.4, 4.2, 10.2}) {
+    for (const double x : {-12.4, -5.3, -0.3, 3.4, 9.8}) {
         kit.place(pump, make_place({x, 0.0, -4.0}, kPi));
     }
     const std::size_t barrel = kit.add_mesh(make_barrel(fineness));
     for (int i = 0; i < 7; ++i) {
         kit.place(barrel,
-                  make_place({-8.1 + 0.64 * (i % 4) + 0.3 * (i / 4), 0.0, 2.35 + 0.58 * (i / 4)},
+                  make_place({-8.5 + 0.64 * (i % 4) + 0.3 * (i / 4), 0.0, 2.35 + 0.58 * (i / 4)},
                              0.7 * i));
     }
     const std::size_t cabinet = kit.add_mesh(make_cabinet(fineness));
@@ -252,8 +252,8 @@ void add_moving_parts(SceneKit& kit, const Fineness& fineness) {
     constexpr int kSpokes = 6;
     for (int i = 0; i < kSpokes; ++i) {
         const double angle = 2.0 * kPi * i / kSpokes;
-        add_bar(wheel, glm::dvec3(0.0), {0.92 * std::cos(angle), 0.92 * std::sin(angle), 0.0}, 0.05,
-                fineness.segments(8));
+        const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
+        add_bar(wheel, 0.08 * out, 0.92 * out, 0.05, fineness.segments(8));
     }
     const int teeth = fineness.count(24);
     for (int i = 0; i < teeth; ++i) {

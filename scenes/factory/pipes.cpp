@@ -3,6 +3,7 @@
 #include "scenes/factory/elements.hpp"
 
 #include <array>
+#include <cmath>
 #include <numbers>
 
 namespace alcove::factory {
@@ -58,8 +59,9 @@ Mesh make_valve(const Fineness& fineness) {
     add_ring(builder, {0.0, 0.0, 0.46}, 0.2, 0.022, fineness);
     for (int i = 0; i < 4; ++i) {
         const double angle = 0.5 * std::numbers::pi * i + 0.3;
-        add_bar(builder, {0.0, 0.0, 0.46}, {0.2 * std::cos(angle), 0.2 * std::sin(angle), 0.46},
-                0.015, 6);
+        const glm::dvec3 out(std::cos(angle), std::sin(angle), 0.0);
+        const glm::dvec3 hub(0.0, 0.0, 0.46);
+        add_bar(builder, hub + 0.02 * out, hub + 0.2 * out, 0.015, 6);
     }
     return builder.finish("valve", {0.62f, 0.16f, 0.12f}, 50.0);
 }

@@ -128,13 +128,13 @@ Mesh make_glass(const Settings& settings) {
     return builder.finish("car glass", {0.1f, 0.13f, 0.16f}, 50.0);
 }
 
-/// What is black: underbody, wheel wells, grille, door seams.
+/// What is black: underbody, wheel wells, grille.
 Mesh make_dark(const Settings& settings) {
     MeshBuilder builder;
-    add_box(builder, {-1.9, 0.17, -0.62}, {1.9, 0.3, 0.62});
+    add_box(builder, {-1.6, 0.17, -0.62}, {1.6, 0.3, 0.62});
     for (const double x : {-kAxleX, kAxleX}) {
         for (const double side : {-1.0, 1.0}) {
-            add_disk(builder, {x, kWheel + 0.03, side * 0.74}, 0.125, kWheel + 0.06,
+            add_disk(builder, {x, kWheel + 0.05, side * 0.74}, 0.125, kWheel + 0.035,
                      settings.segments(20));
         }
     }

@@ -56,7 +56,7 @@ Tree make_tree(SceneKit& kit, const Settings& settings, int variant) {
     const glm::dvec3 heart(random.draw(-0.2, 0.2), trunk + 0.8 * crown, random.draw(-0.2, 0.2));
     constexpr int kBranches = 16;
     const int leaves = settings.count(24); // a branch
-    const double length = 1.5 * crown / std::sqrt(16.0 * std::sqrt(static_cast<double>(leaves)));
+    const double length = 2.0 * crown / std::sqrt(16.0 * std::sqrt(static_cast<double>(leaves)));
     MeshBuilder wood;
     MeshBuilder green;
     add_tube(wood,

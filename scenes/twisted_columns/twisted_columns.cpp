@@ -90,8 +90,8 @@ std::unique_ptr<Scene> open_twisted_columns(const ResolvedParameters& resolved) 
     kit.add(make_box_mesh("wall", glm::vec3(0.7f), {-2.9, -0.05, -2.0}, {2.9, 3.0, -1.5}));
     // On the first frames the camera, the white and the pink column stand in line; the pink one is
     // thinner, lower and farther, and light from it reaches the floor beside it and the wall.
-    kit.add(make_column("white", kWhite, {0.26, 2.1, 3, turns}));
-    kit.add(make_column("pink", kPink, {0.17, 1.7, 2, -turns}), make_place({0.0, 0.0, -0.75}));
+    kit.add(make_column("white", kWhite, {0.3, 2.1, 3, turns}));
+    kit.add(make_column("pink", kPink, {0.12, 1.5, 2, -turns}), make_place({0.0, 0.0, -1.0}));
     kit.add(make_column("left", kWhite, {0.2, 1.9, 4, -turns}),
             make_place({-1.15, 0.0, -0.45}, 0.2));
     kit.add(make_column("right", kWhite, {0.2, 1.6, 2, turns}),
