@@ -146,19 +146,19 @@ VisibleSet SceneRenderer::find_visible(const FrameView& view, const FramePose& p
     const Precision& precision = gbuffer.precision();
     const VisibleSet hiders = m_culler.choose_hiders(visible, volume, kHiderTriangles);
     m_counts.hiders = hiders.triangles;
-    constexpr ChannelSet kDepthAlone{Channel::eye_depth};
-    Precision plain;
-    plain.reversed = precision.reversed;
-    if (!m_hider_depth || !(m_hider_depth->size() == view.size) ||
-        !(m_hider_depth->precision() == plain)) {
-        m_hider_depth.emplace(m_gl, view.size, kDepthAlone, plain);
+    // Their raster depth stays: what lies behind them need not be shaded.
+    if (!m_hider_depth || !(m_hider_depth.size() == view.size)) {
+        m_hider_depth = gl::Texture(m_gl, GL_R32F, view.size);
     }
-    clear(*m_hider_depth);
+    const gl::FramebufferHandle framebuffer =
+        gl::create_framebuffer(m_gl, {&m_hider_depth}, &gbuffer.raster_depth());
+    constexpr float kFar = std::numeric_limits<float>::infinity();
+    m_gl.ClearNamedFramebufferfv(framebuffer.get(), GL_COLOR, 0, &kFar);
     m_still.build(m_scene, m_geometry, hiders, pose, view.camera, [](auto) { return true; });
-    draw(m_still, kDepthAlone, m_hider_depth->framebuffer(), view.camera, projection, {});
+    draw(m_still, {Channel::eye_depth}, framebuffer.get(), view.camera, projection, {});
     std::vector<float> depth(view.size.pixel_count());
     m_gl.PixelStorei(GL_PACK_ALIGNMENT, 1);
-    m_gl.GetTextureImage(m_hider_depth->texture(Channel::eye_depth).get(), 0, GL_RED, GL_FLOAT,
+    m_gl.GetTextureImage(m_hider_depth.get(), 0, GL_RED, GL_FLOAT,
                          static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
     const DepthPyramid pyramid(std::move(depth), view.size);
     return m_culler.find_visible(volume, SceneCuller::Hider{pyramid, precision});
@@ -237,7 +237,8 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view, const 
     m_gl.Viewport(0, 0, view.size.width, view.size.height);
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     m_gl.Enable(GL_DEPTH_TEST);
-    m_gl.DepthFunc(reversed ? GL_GREATER : GL_LESS);
+    // Of surfaces at equal depth the last one wins, whether or not hiders were drawn before.
+    m_gl.DepthFunc(reversed ? GL_GEQUAL : GL_LEQUAL);
     const VisibleSet visible = find_visible(view, pose, gbuffer, pass, projection);
     m_counts.drawn = visible.triangles;
     m_counts.objects = visible.objects.size();

@@ -79,7 +79,7 @@ class SceneRenderer {
     SceneCuller m_culler;
     DrawList m_still;
     DrawList m_moving;
-    std::optional<GBuffer> m_hider_depth; ///< eye depth alone
+    gl::Texture m_hider_depth; ///< eye depth of what hides most
     std::map<PipelineKey, Pipeline> m_pipelines;
     FullScreenProgram m_rebuild;
     DrawCounts m_counts;

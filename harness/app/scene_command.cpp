@@ -1,8 +1,8 @@
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/nearest_name.hpp"
-#include "harness/app/planned.hpp"
 #include "harness/app/verbs.hpp"
+#include "harness/run/scene_fetch.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/units.hpp"
 #include "scenes/common/gltf_export.hpp"
@@ -11,6 +11,8 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -20,7 +22,7 @@ namespace {
 
 struct SceneFlags {
     std::string what;
-    std::string scene;
+    std::vector<std::string> scenes;
     std::string out;
 };
 
@@ -34,7 +36,8 @@ int export_scene(const SceneFlags& flags) {
         throw InputError("--out", "not a binary glTF file", flags.out, "a name that ends in .glb");
     }
     std::vector<std::string> warnings;
-    const std::unique_ptr<Scene> scene = open_scene(get_units().scenes, flags.scene, warnings);
+    const std::unique_ptr<Scene> scene =
+        open_scene(get_units().scenes, flags.scenes.front(), warnings);
     for (const std::string& warning : warnings) {
         print_warning(warning);
     }
@@ -54,14 +57,52 @@ int export_scene(const SceneFlags& flags) {
     return 0;
 }
 
+void list_fetchable() {
+    for (const FetchableScene& scene : list_fetchable_scenes()) {
+        const std::string needs = scene.needs_blender ? ", needs Blender" : "";
+        fmt::print("{:14} {}; {} from {}{}; licence {}\n", scene.name,
+                   is_fetched(scene) ? get_fetched_file(scene).string() : "not fetched",
+                   scene.title, scene.npm.empty() ? scene.debian : scene.npm, needs,
+                   scene.licence.spdx);
+    }
+    fmt::print("alcove scene fetch NAME... | all\n");
+}
+
+int fetch(const SceneFlags& flags) {
+    if (flags.scenes.empty()) {
+        list_fetchable();
+        return 0;
+    }
+    std::vector<FetchableScene> chosen;
+    for (const std::string& name : flags.scenes) {
+        if (name == "all") {
+            chosen = list_fetchable_scenes();
+            break;
+        }
+        chosen.push_back(find_fetchable_scene(name));
+    }
+    fetch_scenes(chosen, [](const std::string& step) { fmt::print(stderr, "{}\n", step); });
+    for (const FetchableScene& scene : chosen) {
+        fmt::print("alcove run --scene {}\n", get_fetched_file(scene).string());
+        if (!scene.licence.figures) {
+            print_warning("pictures of " + scene.name + " may not be published: licence " +
+                          scene.licence.spdx + ", " + scene.licence.attribution);
+        }
+    }
+    return 0;
+}
+
 int run_scene_verb(const SceneFlags& flags) {
     if (flags.what == "fetch") {
-        throw_planned("scene fetch");
+        return fetch(flags);
     }
     if (flags.what != "export") {
-        const std::array<std::string, 1> kinds{"export"};
+        const std::array<std::string, 2> kinds{"export", "fetch"};
         throw InputError("scene", "unknown action", flags.what,
                          describe_choices(flags.what, kinds));
+    }
+    if (flags.scenes.size() != 1) {
+        throw InputError("scene export", "takes one scene", std::to_string(flags.scenes.size()));
     }
     return export_scene(flags);
 }
@@ -70,10 +111,13 @@ int run_scene_verb(const SceneFlags& flags) {
 
 Action add_scene_verb(CLI::App& app) {
     auto flags = std::make_shared<SceneFlags>();
-    app.add_option("what", flags->what, "export: as glTF, with the walkthrough beside it")
+    app.add_option("what", flags->what,
+                   "export: as glTF, with the walkthrough beside it; fetch: models from packages, "
+                   "into the cache")
         ->required();
-    app.add_option("scene", flags->scene, "NAME[:key=value,...], or a .gltf or .glb file")
-        ->required();
+    app.add_option("scenes", flags->scenes,
+                   "export: NAME[:key=value,...], or a file; fetch: names, all, or nothing for a "
+                   "list");
     app.add_option("--out", flags->out, "FILE.glb");
     return [flags] { return run_scene_verb(*flags); };
 }

@@ -70,7 +70,7 @@ struct Experiment {
     int repeats = 6;
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
-    int reference_rays_per_half = 64;
+    int reference_rays_per_half = 32;
     std::vector<std::string> metrics; ///< names; empty: all that are reported
     std::uint64_t shuffle_seed = 1;
     double audit_share = 0.01;    ///< of what caches give, made anew and compared; 0 to 1

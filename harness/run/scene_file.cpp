@@ -6,6 +6,8 @@
 #include "core/base/nearest_name.hpp"
 #include "core/base/text.hpp"
 #include "scenes/common/gltf_scene.hpp"
+#include "scenes/common/licence.hpp"
+#include "scenes/common/off_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,10 +19,14 @@ namespace {
 
 const std::array<std::string, 3> kKeys{"walkthrough", "animation", "ao_radius"};
 
+bool has_scene_extension(std::string_view path) {
+    return path.ends_with(".gltf") || path.ends_with(".glb") || path.ends_with(".off");
+}
+
 /// Length of the path in front of the options.
 std::size_t find_path_end(std::string_view spec) {
     std::size_t end = std::string_view::npos;
-    for (const std::string_view extension : {".gltf:", ".glb:"}) {
+    for (const std::string_view extension : {".gltf:", ".glb:", ".off:"}) {
         const std::size_t at = spec.find(extension);
         if (at != std::string_view::npos) {
             end = std::min(end, at + extension.size() - 1);
@@ -29,9 +35,7 @@ std::size_t find_path_end(std::string_view spec) {
     if (end != std::string_view::npos) {
         return end;
     }
-    return spec.ends_with(".gltf") || spec.ends_with(".glb")
-               ? spec.size()
-               : std::min(spec.find(':'), spec.size());
+    return has_scene_extension(spec) ? spec.size() : std::min(spec.find(':'), spec.size());
 }
 
 std::vector<KeyValue> list_options(std::string_view spec) {
@@ -79,12 +83,25 @@ GltfOptions parse_options(std::string_view spec) {
     return options;
 }
 
+/// A licence that lies beside the file may forbid pictures of it.
+void warn_of_licence(const std::filesystem::path& file, std::vector<std::string>& warnings) {
+    const std::filesystem::path beside = file.parent_path() / kLicenceFile;
+    if (!std::filesystem::exists(beside)) {
+        return;
+    }
+    const Licence licence = read_licence(beside);
+    if (!licence.figures) {
+        warnings.push_back("pictures of " + file.filename().string() +
+                           " may not be published: licence " + licence.spdx + ", " +
+                           licence.attribution);
+    }
+}
+
 } // namespace
 
 bool is_scene_file(std::string_view spec) {
     const std::string_view path = spec.substr(0, find_path_end(spec));
-    return path.ends_with(".gltf") || path.ends_with(".glb") ||
-           path.find('/') != std::string_view::npos;
+    return has_scene_extension(path) || path.find('/') != std::string_view::npos;
 }
 
 std::string get_scene_file(std::string_view spec) {
@@ -111,7 +128,16 @@ resolve_scene_file(std::string_view spec,
 }
 
 std::unique_ptr<Scene> open_scene_file(std::string_view spec, std::vector<std::string>& warnings) {
-    return open_gltf_scene(get_scene_file(spec), parse_options(spec), &warnings);
+    const std::string file = get_scene_file(spec);
+    const GltfOptions options = parse_options(spec);
+    warn_of_licence(file, warnings);
+    if (!file.ends_with(".off")) {
+        return open_gltf_scene(file, options, &warnings);
+    }
+    if (options.animation) {
+        throw InputError(file + ": animation", "OFF files hold none");
+    }
+    return open_off_scene(file, {options.ao_radius_m, options.walkthrough});
 }
 
 std::string hash_scene_file(std::string_view spec) {

@@ -1,5 +1,5 @@
 #pragma once
-// Anybody's scene: a .gltf or .glb file by its path, with options.
+// Anybody's scene: a .gltf, .glb or .off file by its path, with options.
 
 #include "core/contract/scene.hpp"
 
@@ -12,8 +12,8 @@
 
 namespace alcove {
 
-/// True for a specification of a file: its part before the options ends in .gltf or .glb, or has a
-/// slash.
+/// True for a specification of a file: its part before the options ends in .gltf, .glb or .off, or
+/// has a slash.
 [[nodiscard]] bool is_scene_file(std::string_view spec);
 
 /// The path in a specification of a file.
@@ -27,7 +27,9 @@ namespace alcove {
 resolve_scene_file(std::string_view spec,
                    const std::function<std::filesystem::path(const std::string&)>& resolve);
 
-/// Opens a file. Throws InputError as resolve_scene_file and open_gltf_scene do.
+/// Opens a file. A licence.json beside it (licence.hpp) that does not let pictures be published
+/// becomes a warning. Throws InputError as resolve_scene_file, open_gltf_scene and open_off_scene
+/// do.
 [[nodiscard]] std::unique_ptr<Scene> open_scene_file(std::string_view spec,
                                                      std::vector<std::string>& warnings);
 

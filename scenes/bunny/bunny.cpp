@@ -1,54 +1,18 @@
 #include "scenes/bunny/bunny.hpp"
 
 #include "core/base/error.hpp"
-#include "core/base/file.hpp"
-#include "scenes/bunny/bunny_package.hpp"
-#include "scenes/common/mesh_builder.hpp"
-#include "scenes/common/node_modules.hpp"
+#include "scenes/common/bunny_mesh.hpp"
 #include "scenes/common/rigid_scene.hpp"
 #include "scenes/common/solids.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
-#include <algorithm>
 #include <memory>
 #include <utility>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace alcove {
 namespace {
-
-/// The package's bunny is 9.65 units high.
-constexpr double kMetresPerUnit = 0.1;
-
-/// Scaled, with the middle of its footprint at zero and its lowest point on y = 0.
-Mesh make_bunny(const BunnyData& data) {
-    glm::dvec3 low = data.positions.front();
-    glm::dvec3 high = low;
-    for (const glm::dvec3& position : data.positions) {
-        low = glm::min(low, position);
-        high = glm::max(high, position);
-    }
-    const glm::dvec3 foot(0.5 * (low.x + high.x), low.y, 0.5 * (low.z + high.z));
-    MeshBuilder builder;
-    for (const glm::dvec3& position : data.positions) {
-        builder.add_point((position - foot) * kMetresPerUnit);
-    }
-    for (const auto& [a, b, c] : data.cells) {
-        builder.add_triangle(a, b, c);
-    }
-    return builder.finish("bunny", {0.62f, 0.55f, 0.48f}, 180.0);
-}
-
-std::optional<std::string> find_bunny_obstacle() {
-    if (find_package_file("bunny", "index.js")) {
-        return std::nullopt;
-    }
-    return "the npm package `bunny` is not in " + get_node_modules_folder().string() +
-           "; run `npm ci` in the source tree, or set ALCOVE_NODE_MODULES to a node_modules "
-           "folder that has it";
-}
 
 enum class Path { standard, orbit_and_rest };
 
@@ -97,14 +61,8 @@ Walkthrough choose_walkthrough(const BunnyParameters& parameters) {
 
 std::unique_ptr<Scene> open_bunny(const ResolvedParameters& resolved) {
     const auto parameters = make_table().bind<BunnyParameters>(resolved);
-    const auto path = find_package_file("bunny", "index.js");
-    if (!path) {
-        throw InputError("bunny", find_bunny_obstacle().value());
-    }
-    const BunnyData data =
-        parse_bunny_package(read_file(*path, std::uintmax_t{1} << 24), path->string());
     RigidSceneContent content;
-    content.meshes.push_back(make_bunny(data));
+    content.meshes.push_back(read_bunny("bunny"));
     content.meshes.push_back(
         make_box_mesh("floor", glm::vec3(0.55f), {-2.5, -0.25, -2.5}, {2.5, 0.0, 2.5}));
     content.objects = {{"bunny", 0}, {"floor", 1}};

@@ -1,6 +1,7 @@
 #include "scenes/cathedral/cathedral.hpp"
 
 #include "scenes/cathedral/elements.hpp"
+#include "scenes/cathedral/guests.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <array>
@@ -40,7 +41,7 @@ ParameterTable make_table() {
              .source("ours"),
          choice(&P::walkthrough, "walkthrough", {"default", "walk_and_rest", "full"})
              .meaning("the length of the church, 300 frames of slow walk and 300 of rest, or 3500 "
-                      "frames through all of it")
+                      "frames through all of it with a walking skeleton and a bunny")
              .source("ours")});
 }
 
@@ -71,6 +72,9 @@ std::unique_ptr<Scene> open_cathedral(const ResolvedParameters& resolved) {
     content.lights.ambient = glm::vec3(0.34f, 0.36f, 0.4f);
     content.walkthrough = get_embedded_walkthrough(get_file(parameters.walkthrough));
     content.ao_radius_m = 0.5;
+    if (parameters.walkthrough == Path::full) {
+        return std::make_unique<AnimatedScene>(cathedral::add_guests(std::move(content)));
+    }
     return std::make_unique<RigidScene>(std::move(content));
 }
 

@@ -44,12 +44,21 @@ ParameterTable make_table() {
 class CityScene final : public Scene {
   public:
     CityScene(RigidSceneContent content, city::Movers movers)
-        : m_rest(std::move(content)), m_movers(std::move(movers)) {}
+        : m_rest(std::move(content)), m_movers(std::move(movers)),
+          m_objects(m_rest.get_objects().begin(), m_rest.get_objects().end()) {
+        // Whatever the movers place does not keep the nothing that is handed to them.
+        const glm::dmat4 nothing(0.0);
+        std::vector<glm::dmat4> placed(m_objects.size(), nothing);
+        city::pose_movers(m_movers, 0.0, placed);
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            if (placed[i] != nothing) {
+                m_objects[i].motion = ObjectMotion::rigid;
+            }
+        }
+    }
 
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_rest.get_meshes(); }
-    [[nodiscard]] std::span<const Object> get_objects() const override {
-        return m_rest.get_objects();
-    }
+    [[nodiscard]] std::span<const Object> get_objects() const override { return m_objects; }
     [[nodiscard]] const Lights& get_lights() const override { return m_rest.get_lights(); }
     [[nodiscard]] const Walkthrough& get_walkthrough() const override {
         return m_rest.get_walkthrough();
@@ -65,6 +74,7 @@ class CityScene final : public Scene {
   private:
     RigidScene m_rest;
     city::Movers m_movers;
+    std::vector<Object> m_objects; ///< those of m_rest, with what moves
 };
 
 std::unique_ptr<Scene> open_city(const ResolvedParameters& resolved) {

@@ -1,34 +1,11 @@
 #include "scenes/city/elements.hpp"
-#include "scenes/common/solids.hpp"
+#include "scenes/common/figure_shapes.hpp"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace alcove::city {
 namespace {
-
-/// A limb's section at a height: half axes along and across the way, and how far it is moved along.
-struct Slice {
-    double y = 0.0;
-    double along = 0.0;
-    double across = 0.0;
-    double shift = 0.0;
-};
-
-void add_limb(MeshBuilder& builder, const std::vector<Slice>& slices, int around) {
-    std::vector<Ring> rings;
-    for (const Slice& slice : slices) {
-        Ring ring;
-        for (int i = 0; i < around; ++i) {
-            const double angle = -2.0 * std::numbers::pi * i / around;
-            ring.emplace_back(slice.shift + slice.along * std::cos(angle), slice.y,
-                              slice.across * std::sin(angle));
-        }
-        rings.push_back(std::move(ring));
-    }
-    add_loft(builder, rings, LoftEnds::capped);
-}
 
 /// From its joint down, thick at both ends so that neighbours reach into each other.
 std::size_t add_rod(Kit& kit, const char* name, const glm::vec3& albedo, double length,
@@ -76,15 +53,15 @@ std::array<std::size_t, kLimbs> add_body(Kit& kit, const Clothes& clothes) {
              around);
     meshes[kHead] = kit.add_mesh(head.finish("figure_head", kSkin, 70.0));
     const std::size_t upper_arm =
-        add_rod(kit, "figure_upper_arm", clothes.coat, Body::kUpperArmLength, 0.062, 0.046);
+        add_rod(kit, "figure_upper_arm", clothes.coat, kBody.upper_arm_length, 0.062, 0.046);
     const std::size_t forearm = add_rod(kit, "figure_forearm", clothes.coat, 0.27, 0.046, 0.036);
     const std::size_t thigh =
-        add_rod(kit, "figure_thigh", clothes.trousers, Body::kThighLength, 0.09, 0.062);
+        add_rod(kit, "figure_thigh", clothes.trousers, kBody.thigh_length, 0.09, 0.062);
     const std::size_t shin =
-        add_rod(kit, "figure_shin", clothes.trousers, Body::kShinLength, 0.062, 0.042);
+        add_rod(kit, "figure_shin", clothes.trousers, kBody.shin_length, 0.062, 0.042);
     MeshBuilder shoe;
     add_limb(shoe,
-             {{-Body::kAnkle, 0.12, 0.042, 0.055},
+             {{-kBody.ankle, 0.12, 0.042, 0.055},
               {-0.04, 0.125, 0.047, 0.055},
               {0.0, 0.06, 0.045},
               {0.05, 0.045, 0.04, -0.005}},
@@ -147,8 +124,8 @@ void add_figures(Kit& kit, Movers& movers) {
         const double crossing = kPitch * (start.is_eastward ? std::ceil(start.x / kPitch)
                                                             : std::floor(start.x / kPitch));
         const double room = std::abs(crossing - start.x) - kHalfCarriageway - 1.0;
-        const double half_cycles = std::floor(2.0 * (room / Body::kCycle + walker.phase - 0.06));
-        walker.drive.length = (0.5 * half_cycles + 0.06 - walker.phase) * Body::kCycle;
+        const double half_cycles = std::floor(2.0 * (room / kBody.cycle + walker.phase - 0.06));
+        walker.drive.length = (0.5 * half_cycles + 0.06 - walker.phase) * kBody.cycle;
         for (std::size_t limb = 0; limb < kLimbs; ++limb) {
             walker.objects[limb] = kit.place(bodies[i % bodies.size()][limb], glm::dmat4(1.0));
         }

@@ -3,6 +3,7 @@
 // alone.
 
 #include "scenes/city/kit.hpp"
+#include "scenes/common/gait.hpp"
 
 #include <array>
 #include <cstddef>
@@ -40,30 +41,8 @@ struct Vehicle {
     Drive drive;
 };
 
-/// Limbs hang down from their joint at zero; the walker looks towards +x.
-enum Limb : std::size_t {
-    kTorso, ///< from the hip's height
-    kHead,
-    kUpperArm, ///< left; the right one follows
-    kForearm = kUpperArm + 2,
-    kThigh = kForearm + 2,
-    kShin = kThigh + 2,
-    kFoot = kShin + 2,
-    kLimbs = kFoot + 2,
-};
-/// Of all walkers, metres.
-struct Body {
-    static constexpr double kHip = 0.905; ///< mean height
-    static constexpr double kThighLength = 0.44;
-    static constexpr double kShinLength = 0.43;
-    static constexpr double kAnkle = 0.08;   ///< height over the sole
-    static constexpr double kShoulder = 0.5; ///< over the hip
-    static constexpr double kNeck = 0.58;    ///< over the hip
-    static constexpr double kUpperArmLength = 0.29;
-    static constexpr double kHalfHips = 0.09;
-    static constexpr double kHalfShoulders = 0.21;
-    static constexpr double kCycle = 1.1; ///< way of two steps
-};
+/// All walkers are alike.
+inline constexpr WalkerBody kBody;
 struct Walker {
     std::array<std::size_t, kLimbs> objects{};
     Drive drive;

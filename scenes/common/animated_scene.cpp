@@ -11,6 +11,12 @@ namespace {
 
 void check_object(const AnimatedSceneContent& content, const AnimatedObject& object) {
     ALCOVE_ASSERT(object.object.mesh < content.meshes.size(), "an object of a mesh that exists");
+    if (object.procedure) {
+        ALCOVE_ASSERT(!object.skin && !object.is_morphed &&
+                          object.object.motion == ObjectMotion::deforming,
+                      "one way to deform");
+        return;
+    }
     if (!object.skin && !object.is_morphed) {
         ALCOVE_ASSERT(object.object.motion != ObjectMotion::deforming, "only deformers deform");
         return;
@@ -34,6 +40,9 @@ void check_object(const AnimatedSceneContent& content, const AnimatedObject& obj
 Deformation deform_object(const AnimatedSceneContent& content, std::size_t index,
                           const std::vector<glm::dmat4>& nodes, double time_s) {
     const AnimatedObject& object = content.objects[index];
+    if (object.procedure) {
+        return object.procedure(time_s);
+    }
     ALCOVE_ASSERT(object.skin || object.is_morphed, "an object that deforms");
     const Mesh& mesh = content.meshes[object.object.mesh];
     const MeshDeformers& deformers = content.deformers[object.object.mesh];

@@ -36,6 +36,8 @@ struct AnimatedObject {
     std::size_t node = 0;            ///< where it hangs; skinned vertices ignore it
     std::optional<std::size_t> skin; ///< needs influences of its mesh
     bool is_morphed = false;         ///< needs `weights`
+    /// Instead of skin and weights: its vertices in the space of its node, from the time alone.
+    std::function<Deformation(double time_s)> procedure;
 };
 
 /// All that makes an animated scene, relative to `origin`.

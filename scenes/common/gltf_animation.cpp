@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -174,6 +175,21 @@ class ClipReader {
     GltfClip m_clip;
 };
 
+/// True if no two clips move the same property of the same node.
+bool are_apart(const tinygltf::Model& model) {
+    std::map<std::pair<int, std::string>, std::size_t> owners;
+    for (std::size_t i = 0; i < model.animations.size(); ++i) {
+        for (const tinygltf::AnimationChannel& channel : model.animations[i].channels) {
+            const auto [owner, is_new] =
+                owners.emplace(std::pair(channel.target_node, channel.target_path), i);
+            if (!is_new && owner->second != i) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 } // namespace
 
 GltfClip read_clip(const GltfDocument& document, std::optional<int> index, GltfTree& tree,
@@ -187,6 +203,15 @@ GltfClip read_clip(const GltfDocument& document, std::optional<int> index, GltfT
     }
     if (count == 0) {
         return {};
+    }
+    if (!index && count > 1 && are_apart(*document.model)) {
+        GltfClip all;
+        for (int i = 0; i < static_cast<int>(count); ++i) {
+            GltfClip clip = ClipReader(document, i, tree, warnings).read();
+            all.duration_s = std::max(all.duration_s, clip.duration_s);
+            all.weights.merge(clip.weights);
+        }
+        return all;
     }
     if (count > 1) {
         warnings.insert("only animations[" + std::to_string(chosen) + "] of " +

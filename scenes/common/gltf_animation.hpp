@@ -15,8 +15,9 @@ struct GltfClip {
     std::map<std::size_t, Keyframes> weights; ///< of morph targets, by node of the tree
 };
 
-/// Reads clip `index` (the first if none is named and there is one) and puts its keys on the nodes
-/// of the tree. Channels that cannot be played, and other clips, are named in `warnings`. Throws
+/// Reads clip `index` and puts its keys on the nodes of the tree. If none is named: all clips
+/// together where no two of them move the same thing (exporters of old wrote a clip a bone), else
+/// the first. Channels that cannot be played, and other clips, are named in `warnings`. Throws
 /// InputError on an index out of range, times that do not ascend from 0 or more, values that are
 /// not finite or too few, and two channels of one target.
 [[nodiscard]] GltfClip read_clip(const GltfDocument& document, std::optional<int> index,

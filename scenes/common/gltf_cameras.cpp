@@ -1,10 +1,10 @@
 #include "scenes/common/gltf_cameras.hpp"
 
 #include "core/base/error.hpp"
+#include "scenes/common/orbit.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +16,6 @@ namespace alcove {
 namespace {
 
 constexpr int kFramesPerCamera = 60;
-constexpr int kOrbitFrames = 120;
 constexpr int kMostFrames = 100'000;
 
 /// Cameras of the file that can be looked through, with their nodes.
@@ -72,23 +71,6 @@ int count_frames(double duration_s, double step_s, int least, int most, GltfWarn
         return std::max(most, 1);
     }
     return std::max(least, static_cast<int>(frames));
-}
-
-Walkthrough make_orbit(const Bounds& bounds, int frames) {
-    constexpr double kFov = std::numbers::pi / 3.0;
-    const double radius_m = 0.5 * bounds.diagonal();
-    const double distance_m = radius_m / std::sin(0.5 * kFov);
-    Walkthrough walkthrough;
-    walkthrough.name = "orbit";
-    for (int frame = 0; frame < frames; ++frame) {
-        const double angle = 2.0 * std::numbers::pi * frame / frames;
-        const glm::dvec3 direction =
-            glm::normalize(glm::dvec3(std::sin(angle), 0.35, std::cos(angle)));
-        walkthrough.cameras.push_back(make_look_at_camera(
-            bounds.centre() + distance_m * direction, bounds.centre(), {0.0, 1.0, 0.0}, kFov,
-            0.05 * radius_m, distance_m + 1.01 * radius_m));
-    }
-    return walkthrough;
 }
 
 } // namespace

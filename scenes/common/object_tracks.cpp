@@ -14,12 +14,11 @@ ObjectTracks::ObjectTracks(const Walkthrough& walkthrough, std::span<const Objec
     for (std::size_t i = 0; i < walkthrough.tracks.size(); ++i) {
         tracks.emplace(walkthrough.tracks[i].object, i);
     }
-    for (const Object& object : objects) {
-        const auto track = tracks.find(object.name);
-        m_tracks.emplace_back();
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        const auto track = tracks.find(objects[i].name);
         m_moves.push_back(false);
         if (track != tracks.end()) {
-            m_tracks.back() = track->second;
+            m_tracked.push_back({i, track->second});
             m_moves.back() = has_two_places(walkthrough.tracks[track->second]);
         }
     }
@@ -36,11 +35,9 @@ void ObjectTracks::apply(const Walkthrough& walkthrough, double time_s,
     if (std::abs(frame - std::round(frame)) < kSnap) {
         frame = std::round(frame);
     }
-    for (std::size_t i = 0; i < object_to_scene.size(); ++i) {
-        if (m_tracks[i]) {
-            object_to_scene[i] =
-                compute_motion(walkthrough.tracks[*m_tracks[i]], frame) * object_to_scene[i];
-        }
+    for (const Tracked& tracked : m_tracked) {
+        glm::dmat4& transform = object_to_scene[tracked.object];
+        transform = compute_motion(walkthrough.tracks[tracked.track], frame) * transform;
     }
 }
 

@@ -4,7 +4,6 @@
 #include "core/contract/scene.hpp"
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,7 +28,11 @@ class ObjectTracks {
                std::span<glm::dmat4> object_to_scene) const;
 
   private:
-    std::vector<std::optional<std::size_t>> m_tracks; ///< of each object, into the walkthrough's
+    struct Tracked {
+        std::size_t object;
+        std::size_t track; ///< of the walkthrough
+    };
+    std::vector<Tracked> m_tracked;
     std::vector<bool> m_moves;
 };
 

@@ -25,8 +25,10 @@ RigidScene::RigidScene(RigidSceneContent content)
 Pose RigidScene::compute_pose(double time_s) const {
     Pose pose{m_content.transforms};
     m_tracks.apply(m_content.walkthrough, time_s, pose.object_to_world);
-    for (glm::dmat4& transform : pose.object_to_world) {
-        transform[3] += glm::dvec4(m_content.origin, 0.0);
+    if (m_content.origin != glm::dvec3(0.0)) {
+        for (glm::dmat4& transform : pose.object_to_world) {
+            transform[3] += glm::dvec4(m_content.origin, 0.0);
+        }
     }
     return pose;
 }

@@ -1,11 +1,10 @@
 #include "scenes/common/round_solids.hpp"
 
 #include "core/base/assert.hpp"
-#include "scenes/common/solids.hpp"
+#include "scenes/common/figure_shapes.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -83,28 +82,12 @@ Mesh make_ball_mesh(std::string name, const glm::vec3& albedo, int subdivisions)
 
 void add_tube(MeshBuilder& builder, const std::vector<glm::dvec3>& path,
               const std::vector<double>& radii, int around) {
-    ALCOVE_ASSERT(path.size() >= 2 && radii.size() == path.size(), "a tube has sections");
-    ALCOVE_ASSERT(around >= 3, "a section has an area");
-    glm::dvec3 across(0.0);
-    std::vector<Ring> rings;
+    ALCOVE_ASSERT(radii.size() == path.size(), "one radius a point");
+    std::vector<TubePoint> line;
     for (std::size_t i = 0; i < path.size(); ++i) {
-        const glm::dvec3& before = path[i == 0 ? 0 : i - 1];
-        const glm::dvec3& after = path[std::min(i + 1, path.size() - 1)];
-        const glm::dvec3 way = glm::normalize(after - before);
-        if (i == 0) {
-            across = std::abs(way.y) > 0.9 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
-        }
-        across = glm::normalize(across - glm::dot(across, way) * way);
-        const glm::dvec3 other = glm::cross(way, across);
-        Ring ring;
-        for (int k = 0; k < around; ++k) {
-            const double angle = 2.0 * std::numbers::pi * k / around;
-            ring.push_back(path[i] +
-                           radii[i] * (std::cos(angle) * across + std::sin(angle) * other));
-        }
-        rings.push_back(std::move(ring));
+        line.push_back({path[i], radii[i]});
     }
-    add_loft(builder, rings, LoftEnds::capped);
+    add_tube(builder, line, around);
 }
 
 } // namespace alcove

@@ -21,9 +21,7 @@ void add_ball(MeshBuilder& builder, int subdivisions,
 /// of its volume at 3 subdivisions and by 9.3 % at 2.
 [[nodiscard]] Mesh make_ball_mesh(std::string name, const glm::vec3& albedo, int subdivisions);
 
-/// A tube of round sections, one at each point of the path, with flat ends. Its sections do not
-/// twist: each is turned from the last by the least angle. Asserts two points or more, one radius
-/// a point, neighbours apart, and three points around.
+/// The tube of figure_shapes.hpp, its radii told apart from its points. Asserts one radius a point.
 void add_tube(MeshBuilder& builder, const std::vector<glm::dvec3>& path,
               const std::vector<double>& radii, int around);
 

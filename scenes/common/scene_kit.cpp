@@ -1,9 +1,10 @@
 #include "scenes/common/scene_kit.hpp"
 
+#include "scenes/common/grid.hpp"
+
 #include <string>
 #include <utility>
 
-#include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace alcove {
@@ -27,11 +28,10 @@ void SceneKit::add(Mesh mesh, const glm::dmat4& transform) {
 }
 
 void SceneKit::add_object(std::string name, std::size_t mesh, const glm::dmat4& transform) {
-    constexpr double kGrid = 1048576.0;
-    glm::dmat4 rounded = transform;
-    rounded[3] = glm::round(transform[3] * kGrid) / kGrid;
+    glm::dmat4 snapped = transform;
+    snapped[3] = glm::dvec4(snap_to_grid(glm::dvec3(transform[3])), 1.0);
     m_content.objects.push_back({std::move(name), mesh});
-    m_content.transforms.push_back(rounded);
+    m_content.transforms.push_back(snapped);
 }
 
 RigidSceneContent SceneKit::take() {

@@ -15,8 +15,8 @@ class SceneKit {
   public:
     /// Returns its index, for `place`.
     std::size_t add_mesh(Mesh mesh);
-    /// An object with the name of its mesh and, behind a #, its own number. Positions are rounded
-    /// to 2^-20 m (RigidSceneContent::origin). Returns its name, for tracks.
+    /// An object with the name of its mesh and, behind a #, its own number. Positions snap
+    /// to the grid of 2^-20 m (grid.hpp). Returns its name, for tracks.
     std::string place(std::size_t mesh, const glm::dmat4& transform);
     /// A mesh with one object that has its name, so that a track can move it.
     void add(Mesh mesh, const glm::dmat4& transform = glm::dmat4(1.0));

@@ -137,6 +137,13 @@ std::string JsonPlace::read_text() const {
     return m_value.get<std::string>();
 }
 
+bool JsonPlace::read_truth() const {
+    if (!m_value.is_boolean()) {
+        fail("wrong type", "true or false");
+    }
+    return m_value.get<bool>();
+}
+
 glm::dvec3 JsonPlace::read_vector() const {
     if (!m_value.is_array() || m_value.size() != 3) {
         fail("wrong type", "three numbers");

@@ -42,6 +42,7 @@ class JsonPlace {
     /// Throws InputError unless it is a whole number in the range.
     [[nodiscard]] std::int64_t read_integer(std::int64_t minimum, std::int64_t maximum) const;
     [[nodiscard]] std::string read_text() const;
+    [[nodiscard]] bool read_truth() const;
     /// [x, y, z]
     [[nodiscard]] glm::dvec3 read_vector() const;
 

@@ -15,8 +15,7 @@ struct PlaneSettings {
     double half_m = 1000.0; ///< of plane to each side of the view axis, along its slope
 };
 
-/// Camera at 0 looking along -z, near 0.001 m and far 10 km; radius 0.5 m. With 1 km of plane to
-/// each side of the view axis it has no end in sight at tilts up to 75 degrees.
+/// Camera at 0 looking along -z, near 0.001 m and far 10 km; radius 0.5 m.
 [[nodiscard]] std::unique_ptr<Scene> make_plane_case(const PlaneSettings& settings);
 
 } // namespace alcove

@@ -6,7 +6,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
 cmake --build "$root/build/release" --target alcove benchmark_ssim benchmark_tracer benchmark_overhead \
-    benchmark_tssao benchmark_dashboard benchmark_gbuffer_cache > /dev/null ||
+    benchmark_tssao benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
     exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -65,12 +65,14 @@ note $?
 note $?
 "$bin/benchmark_gbuffer_cache"
 note $?
+"$bin/benchmark_culling"
+note $?
 ALCOVE_CACHE="$work/quick-cache" measure 'run --quick, cold' 90 "$work/quick" --quick
 if [ "${1:-}" = --no-suite ]; then
     # The cache of the quick run is warm: one scene.
     ALCOVE_CACHE="$work/quick-cache" "$program" run --quick --out "$work/again" > "$work/log" 2>&1 || note 1
 else
-    ALCOVE_CACHE="$work/cache" measure 'run (default suite), cold' 360 "$work/suite"
+    ALCOVE_CACHE="$work/cache" measure 'run (default suite), cold' 600 "$work/suite"
     ALCOVE_CACHE="$work/cache" "$program" run --out "$work/again" > "$work/log" 2>&1 || note 1
 fi
 "$bin/benchmark_overhead" "$work/again"

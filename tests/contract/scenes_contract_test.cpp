@@ -1,8 +1,11 @@
 // The contract of DESIGN 2 over every registered scene.
+#include "core/base/error.hpp"
 #include "core/contract/scene.hpp"
 #include "scenes/registry.hpp"
 
 #include <algorithm>
+#include <iostream>
+#include <string_view>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -57,12 +60,28 @@ bool has_moved(const Scene& scene, std::size_t frame) {
                scene.compute_pose(0.0).object_to_world;
 }
 
+/// False if the variant needs data that a set-up fetches and that are not here.
+bool can_open(const SceneUnit& unit, const std::vector<ParameterOverride>& overrides) {
+    try {
+        static_cast<void>(unit.open(unit.parameters.resolve(overrides, {})));
+    } catch (const InputError& error) {
+        if (std::string_view(error.what()).find("npm ci") == std::string_view::npos) {
+            throw;
+        }
+        std::cout << unit.name << ":" << overrides[0].value << " skipped: " << error.what() << "\n";
+        return false;
+    }
+    return true;
+}
+
 /// A scene is opened with all its choices, one at a time beside the defaults.
 std::vector<std::vector<ParameterOverride>> list_variants(const SceneUnit& unit) {
     std::vector<std::vector<ParameterOverride>> variants{{}};
     for (const ParameterTable::Entry& entry : unit.parameters.entries()) {
         for (const std::string& choice : entry.info.choices) {
-            variants.push_back({{entry.info.name, choice}});
+            if (can_open(unit, {{entry.info.name, choice}})) {
+                variants.push_back({{entry.info.name, choice}});
+            }
         }
     }
     return variants;
@@ -89,6 +108,15 @@ TEST_P(SceneContract, FrameZeroIsACutAndSomethingMoves) {
     }
 }
 
+void expect_still_objects_to_stand(const Scene& scene, const Pose& first, const Pose& now) {
+    for (std::size_t i = 0; i < now.object_to_world.size(); ++i) {
+        const Object& object = scene.get_objects()[i];
+        ASSERT_TRUE(object.motion != ObjectMotion::still ||
+                    now.object_to_world[i] == first.object_to_world[i])
+            << object.name << " moves";
+    }
+}
+
 TEST_P(SceneContract, StateComesFromTheTimeAlone) {
     for (const auto& overrides : list_variants(GetParam())) {
         const auto scene = GetParam().open(GetParam().parameters.resolve(overrides, {}));
@@ -100,6 +128,7 @@ TEST_P(SceneContract, StateComesFromTheTimeAlone) {
         bool differs = false;
         for (int frame = 0; frame < frames; frame += stride) {
             forward.push_back(scene->compute_pose(frame * step_s));
+            expect_still_objects_to_stand(*scene, forward.front(), forward.back());
             differs = differs || forward.back().object_to_world != forward[0].object_to_world;
         }
         for (auto pose = forward.rbegin(); pose != forward.rend(); ++pose) {
@@ -107,7 +136,11 @@ TEST_P(SceneContract, StateComesFromTheTimeAlone) {
             EXPECT_EQ(scene->compute_pose(frame * step_s).object_to_world, pose->object_to_world)
                 << frame;
         }
-        EXPECT_EQ(scene->is_static(), !differs);
+        const std::span<const Object> objects = scene->get_objects();
+        const bool deforms = std::any_of(objects.begin(), objects.end(), [](const Object& object) {
+            return object.motion == ObjectMotion::deforming;
+        });
+        EXPECT_EQ(scene->is_static(), !differs && !deforms);
     }
 }
 

@@ -21,6 +21,7 @@ class MovedScene final : public Scene {
     }
     std::span<const Mesh> get_meshes() const override { return m_scene.get_meshes(); }
     std::span<const Object> get_objects() const override { return m_scene.get_objects(); }
+    std::span<const Texture> get_textures() const override { return m_scene.get_textures(); }
     const Lights& get_lights() const override { return m_scene.get_lights(); }
     const Walkthrough& get_walkthrough() const override { return m_walkthrough; }
     double get_ao_radius_m() const override { return m_scene.get_ao_radius_m(); }
@@ -32,6 +33,10 @@ class MovedScene final : public Scene {
         }
         return pose;
     }
+    Deformation deform(std::size_t object, double time_s) const override {
+        return m_scene.deform(object, time_s);
+    }
+    bool is_static() const override { return m_scene.is_static(); }
 
   private:
     const Scene& m_scene;

@@ -1,7 +1,7 @@
 #include "scenes/bunny/bunny.hpp"
 
 #include "core/base/error.hpp"
-#include "scenes/bunny/bunny_package.hpp"
+#include "scenes/common/bunny_package.hpp"
 #include "tests/scenes/solid_check.hpp"
 
 #include <algorithm>

@@ -1,11 +1,14 @@
 #include "scenes/cathedral/cathedral.hpp"
 
 #include "core/base/error.hpp"
+#include "scenes/common/bunny_mesh.hpp"
+#include "tests/scenes/deforming_check.hpp"
 #include "tests/scenes/solid_check.hpp"
 #include "tests/scenes/space_check.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,8 +69,9 @@ TEST(Cathedral, TheCameraOfTheLongWalkthroughStaysClear) {
     const std::unique_ptr<Scene> scene = open("9", "1", "full");
     const std::vector<Camera>& cameras = scene->get_walkthrough().cameras;
     ASSERT_EQ(cameras.size(), 3500u);
-    const Pose pose = scene->compute_pose(0.0);
     for (std::size_t frame = 0; frame < cameras.size(); frame += 25) {
+        const Pose pose =
+            scene->compute_pose(static_cast<double>(frame) * scene->get_walkthrough().step_s);
         const glm::dvec3& eye = cameras[frame].position;
         const Clearance clearance =
             measure_clearance(collect_triangles_near(*scene, pose, eye, 0.5), eye);
@@ -75,6 +79,47 @@ TEST(Cathedral, TheCameraOfTheLongWalkthroughStaysClear) {
         EXPECT_FALSE(clearance.inside) << "frame " << frame << " inside "
                                        << scene->get_objects()[clearance.inside.value_or(0)].name;
     }
+}
+
+TEST(Cathedral, TheSkeletonWalksTheAisleAndJumpsOnlyAtCuts) {
+    const std::unique_ptr<Scene> scene = open("0.125", "1", "full");
+    const Walkthrough& walkthrough = scene->get_walkthrough();
+    const std::vector<std::size_t> feet = find_objects(*scene, "skeleton foot");
+    const std::vector<std::size_t> trunks = find_objects(*scene, "skeleton trunk");
+    ASSERT_EQ(feet.size(), 2u);
+    ASSERT_EQ(trunks.size(), 1u);
+    std::set<int> jumps;
+    for (int frame = 0; frame + 1 < 3500; ++frame) {
+        const Pose now = scene->compute_pose(frame * walkthrough.step_s);
+        const Pose next = scene->compute_pose((frame + 1) * walkthrough.step_s);
+        const glm::dvec3 trunk(now.object_to_world[trunks[0]][3]);
+        if (glm::distance(trunk, glm::dvec3(next.object_to_world[trunks[0]][3])) > 0.1) {
+            jumps.insert(frame + 1);
+        }
+        EXPECT_LT(std::abs(trunk.z), 0.01);
+        EXPECT_GT(trunk.x, -13.0);
+        EXPECT_LT(trunk.x, 8.0);
+        EXPECT_GT(
+            glm::distance(trunk, walkthrough.cameras[static_cast<std::size_t>(frame)].position),
+            1.2)
+            << frame;
+    }
+    EXPECT_EQ(jumps, (std::set<int>{700}));
+    for (const int first : {0, 2550}) {
+        const FootCheck check = check_feet(*scene, feet[0], feet[1], first, first + 120);
+        EXPECT_LT(check.slide_m, 1e-4);
+        EXPECT_NEAR(check.highest_m, 0.0, 0.01);
+    }
+}
+
+TEST(Cathedral, GuestsComeToTheLongWalkthroughOnly) {
+    const std::unique_ptr<Scene> building = open("0.125");
+    const std::unique_ptr<Scene> visited = open("0.125", "1", "full");
+    EXPECT_TRUE(building->is_static());
+    EXPECT_FALSE(visited->is_static());
+    EXPECT_TRUE(find_objects(*building, "skeleton").empty());
+    EXPECT_EQ(find_objects(*visited, "skeleton").size(), 12u);
+    EXPECT_EQ(find_objects(*visited, "bunny").size(), find_bunny_obstacle() ? 0u : 1u);
 }
 
 TEST(Cathedral, IsDecidedByItsParametersAlone) {

@@ -229,7 +229,7 @@ TEST(City, LimbsOfAFigureStayTogether) {
             }
             // A foot follows its shin after the other shin.
             const glm::dvec3 ankle(pose.object_to_world[i] *
-                                   glm::dvec4(0.0, -city::Body::kShinLength, 0.0, 1.0));
+                                   glm::dvec4(0.0, -city::kBody.shin_length, 0.0, 1.0));
             const glm::dvec3 foot(pose.object_to_world[i + 2][3]);
             EXPECT_LT(glm::distance(ankle, foot), 0.01) << "frame " << frame;
         }

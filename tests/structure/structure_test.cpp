@@ -98,6 +98,8 @@ const std::vector<Rule>& get_rules() {
         {"core/contract/temporal_metric", {"core/base", "core/contract/metric"}},
         {"core/contract/scene", {"core/base"}},
         {"core/contract/method", {"core/base", "core/gl", "core/frame", "core/contract/scene"}},
+        {"core/contract/method_gbuffers",
+         {"core/base", "core/gl", "core/frame", "core/contract/scene", "core/contract/method"}},
         {"core/gl", {"core/base"}},
         {"core/frame", {"core/base", "core/gl", "core/contract/scene"}},
         {"metrics", {"core/base", "core/contract/metric", "core/contract/temporal_metric"}},

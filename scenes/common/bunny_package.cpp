@@ -1,4 +1,4 @@
-#include "scenes/bunny/bunny_package.hpp"
+#include "scenes/common/bunny_package.hpp"
 
 #include "core/base/error.hpp"
 #include "scenes/common/strict_json.hpp"
