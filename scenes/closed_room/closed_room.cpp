@@ -6,9 +6,11 @@
 #include "scenes/common/split_mix.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <numbers>
 #include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 

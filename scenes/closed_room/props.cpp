@@ -3,6 +3,8 @@
 #include "scenes/common/round_solids.hpp"
 #include "scenes/common/solids.hpp"
 
+#include <utility>
+
 namespace alcove::closed_room {
 namespace {
 

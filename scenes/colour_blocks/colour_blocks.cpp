@@ -5,6 +5,7 @@
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <memory>
+#include <utility>
 
 #include <glm/geometric.hpp>
 

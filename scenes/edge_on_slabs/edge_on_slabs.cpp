@@ -5,6 +5,8 @@
 #include "scenes/common/walkthrough_file.hpp"
 
 #include <memory>
+#include <string>
+#include <utility>
 
 #include <glm/geometric.hpp>
 

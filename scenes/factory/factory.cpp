@@ -4,6 +4,7 @@
 #include "scenes/factory/elements.hpp"
 
 #include <memory>
+#include <utility>
 
 #include <glm/geometric.hpp>
 

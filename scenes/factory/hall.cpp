@@ -2,6 +2,7 @@
 #include "scenes/factory/elements.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace alcove::factory {
 namespace {

@@ -2,8 +2,11 @@
 #include "scenes/common/solids.hpp"
 #include "scenes/foliage_and_vehicle/elements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 

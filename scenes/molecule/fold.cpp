@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <tuple>
+#include <vector>
 
 #include <glm/geometric.hpp>
 
@@ -19,7 +20,8 @@ constexpr double kApart = 2.1; ///< between atoms that are not bonded
 /// Candidates for the next atom; the innermost free one is taken. With more the blob gets rounder.
 constexpr int kCandidates = 6;
 /// Radius of the ball that holds the middles of all atoms, angstrom for one atom: 22 cubic angstrom
-/// each. Without it a few arms reach far out.
+/// each, as in proteins, of which balls of diameter kApart fill 0.22: there always is a free place.
+/// Without it a few arms reach far out.
 constexpr double kExtent = 1.74;
 /// Share of atoms that start a branch anywhere instead of going on from the last one.
 constexpr double kBranching = 0.06;

@@ -5,9 +5,12 @@
 #include "scenes/common/walkthrough_file.hpp"
 #include "scenes/molecule/fold.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include <glm/geometric.hpp>
 

@@ -6,10 +6,13 @@
 #include "scenes/common/split_mix.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -80,8 +83,9 @@ struct Pebble {
     double radius = 0.0; ///< as it is seen from above
 };
 
-/// By throwing darts: none overlaps another. Fewer than asked for never happens at the range's
-/// ends: they cover a third of the field.
+/// By throwing darts: none overlaps another. With the gaps between them they fill a third of the
+/// field; random darts find no place any more at 0.547 (E. Hinrichsen, J. Feder, T. Jossang.
+/// Geometry of Random Sequential Adsorption. 1986).
 std::vector<Pebble> scatter(int count, SplitMix& random) {
     const double middle = kHalfField * std::sqrt(4.0 * 0.3 / (std::numbers::pi * count));
     std::vector<Pebble> pebbles;

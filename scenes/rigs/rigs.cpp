@@ -10,6 +10,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include <glm/geometric.hpp>

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include <glm/geometric.hpp>
@@ -138,9 +139,10 @@ Mesh mirror(Mesh mesh) {
 std::unique_ptr<Scene> open_toes(const ResolvedParameters& /*resolved*/) {
     SceneKit kit;
     kit.add(make_box_mesh("floor", {0.66f, 0.62f, 0.56f}, {-1.0, -0.1, -1.0}, {1.0, 0.0, 1.0}));
-    Mesh right = mirror(make_foot());
+    Mesh left = make_foot();
+    Mesh right = mirror(left);
     right.name = "right foot";
-    kit.add(make_foot(), make_place({0.085, 0.0, -0.03}, 0.12));
+    kit.add(std::move(left), make_place({0.085, 0.0, -0.03}, 0.12));
     kit.add(std::move(right), make_place({-0.085, 0.0, 0.03}, -0.16));
     RigidSceneContent content = kit.take();
     content.lights.directional.push_back(

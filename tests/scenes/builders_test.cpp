@@ -5,7 +5,7 @@
 #include "tests/scenes/solid_check.hpp"
 #include "tests/scenes/space_check.hpp"
 
-#include <algorithm>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,11 @@ struct Builder {
     double clearance_m = 0.1;               ///< of the camera
     std::vector<std::string> sizes;         ///< "key=value" in the order in which the scene grows
 };
+
+/// What a failed test says it was run with.
+void PrintTo(const Builder& builder, std::ostream* stream) {
+    *stream << builder.name;
+}
 
 const std::vector<Builder>& list_builders() {
     static const std::vector<Builder> kBuilders{
