@@ -73,12 +73,13 @@ void add_sole(MeshBuilder& builder) {
 /// The ankle and a piece of the leg, cut off level.
 void add_leg(MeshBuilder& builder) {
     add_tube(builder,
-             {{0.0, 0.05, 0.056},
-              {0.0, 0.09, 0.05},
+             {{0.0, 0.04, 0.054},
+              {0.0, 0.07, 0.052},
+              {0.0, 0.095, 0.049},
               {0.0, 0.14, 0.046},
               {0.0, 0.22, 0.044},
               {0.0, 0.32, 0.04}},
-             {0.034, 0.036, 0.033, 0.037, 0.048}, kAround);
+             {0.012, 0.029, 0.036, 0.034, 0.038, 0.048}, kAround);
     for (const double side : {-1.0, 1.0}) { // ankle bones
         add_ball(builder, 3, [side](const glm::dvec3& d) {
             return glm::dvec3(side * 0.031, 0.095 - 0.006 * side, 0.048) +
