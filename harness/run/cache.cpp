@@ -42,16 +42,6 @@ void add_entries(const std::string& kind, const fs::path& folder,
 
 } // namespace
 
-fs::path get_cache_folder() {
-    if (const char* folder = std::getenv("ALCOVE_CACHE"); folder != nullptr && *folder != '\0') {
-        return folder;
-    }
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        return fs::path(home) / ".cache" / "alcove";
-    }
-    return fs::temp_directory_path() / "alcove-cache";
-}
-
 const std::vector<std::string>& list_cache_kinds() {
     static const std::vector<std::string> kKinds{"references", "gbuffers", "captures", "builds"};
     return kKinds;

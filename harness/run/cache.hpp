@@ -6,6 +6,7 @@
 //   captures/ab/<key>/        images and metrics of a cell, with their ingredients
 //   builds/<commit>/          programs that `ab` has built
 
+#include "core/base/cache_folder.hpp"
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -13,9 +14,6 @@
 #include <vector>
 
 namespace alcove {
-
-/// `$ALCOVE_CACHE`, else `~/.cache/alcove`, else a folder below the system's temporary one.
-[[nodiscard]] std::filesystem::path get_cache_folder();
 
 /// Largest size of the cache; above it the entries used longest ago go.
 inline constexpr std::uintmax_t kCacheLimitBytes = 8ull << 30;

@@ -1,10 +1,10 @@
 #include "harness/run/scene_fetch.hpp"
 
+#include "core/base/cache_folder.hpp"
 #include "core/base/embedded_file.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
 #include "core/base/nearest_name.hpp"
-#include "harness/run/cache.hpp"
 #include "harness/run/piped_process.hpp"
 #include "scenes/common/strict_json.hpp"
 
@@ -191,7 +191,7 @@ const FetchableScene& find_fetchable_scene(std::string_view name) {
 }
 
 fs::path get_fetched_file(const FetchableScene& scene) {
-    return get_cache_folder() / "scenes" / scene.name / scene.files.front().as;
+    return get_fetched_scenes_folder() / scene.name / scene.files.front().as;
 }
 
 bool is_fetched(const FetchableScene& scene) {
@@ -200,7 +200,7 @@ bool is_fetched(const FetchableScene& scene) {
 
 void fetch_scenes(std::span<const FetchableScene> scenes,
                   const std::function<void(const std::string&)>& say) {
-    const fs::path folder = get_cache_folder() / "scenes";
+    const fs::path folder = get_fetched_scenes_folder();
     const WorkFolder work(folder / (".fetching-" + std::to_string(getpid())));
     Packages packages(work.path());
     for (const FetchableScene& scene : scenes) {

@@ -1,6 +1,7 @@
 #include "scenes/statue/statue.hpp"
 
 #include "scenes/common/bunny_mesh.hpp"
+#include "scenes/common/fetched_statue.hpp"
 #include "scenes/common/knot.hpp"
 #include "scenes/common/pedestal.hpp"
 #include "scenes/common/rigid_scene.hpp"
@@ -19,7 +20,7 @@
 namespace alcove {
 namespace {
 
-enum class Piece { knot, bunny };
+enum class Piece { knot, bunny, elephant, armadillo };
 enum class Motion { turn, slide, turn_and_slide, rest };
 
 struct StatueParameters {
@@ -31,9 +32,10 @@ struct StatueParameters {
 ParameterTable make_table() {
     using P = StatueParameters;
     return describe_parameters(
-        "statue", {choice(&P::piece, "piece", {"knot", "bunny"})
-                       .meaning("a carved trefoil knot, or the Stanford bunny, which needs the npm "
-                                "package `bunny`")
+        "statue", {choice(&P::piece, "piece", {"knot", "bunny", "elephant", "armadillo"})
+                       .meaning("a carved trefoil knot; the Stanford bunny, which needs the npm "
+                                "package `bunny`; or a scan of high polygon count, which `alcove "
+                                "scene fetch` brings")
                        .source("ours"),
                    choice(&P::motion, "motion", {"turn", "slide", "turn_and_slide", "rest"})
                        .meaning("by 2 degrees and by 8 mm a frame on frames 10 to 100")
@@ -49,6 +51,7 @@ ParameterTable make_table() {
 
 constexpr double kTop = 0.35;   ///< of the plinth, metres
 constexpr double kSink = 0.006; ///< of the piece into it: in contact, no two faces in one plane
+constexpr double kHeight = 1.0; ///< of a scan, metres
 constexpr int kBegin = 10;
 constexpr int kEnd = 100;
 constexpr double kDegreesAFrame = 2.0;
@@ -62,6 +65,10 @@ Mesh make_piece(const StatueParameters& parameters) {
         return make_knot(parameters.detail, {0.62f, 0.57f, 0.5f});
     case Piece::bunny:
         return read_bunny("statue");
+    case Piece::elephant:
+        return read_fetched_statue("elephant", kHeight);
+    case Piece::armadillo:
+        return read_fetched_statue("armadillo", kHeight);
     }
     std::abort(); // bind() has checked the choice
 }
@@ -122,7 +129,8 @@ SceneUnit statue_unit() {
     unit.stresses = "flow of a turning body (its speed grows with the distance from the axis), "
                     "concave carving that occludes itself, a contact that moves along";
     unit.license = "CC0-1.0, built by this program; with piece=bunny unstated, Stanford University "
-                   "Computer Graphics Laboratory";
+                   "Computer Graphics Laboratory; other pieces unstated, see licence.json beside "
+                   "the fetched file, no pictures of them may be published";
     unit.parameters = make_table();
     unit.open = open_statue;
     return unit;

@@ -65,6 +65,11 @@ std::string play(const std::string& path, int times, int values, const std::stri
            R"(,"output":)" + std::to_string(values) + R"(,"interpolation":")" + how + R"("}]}])";
 }
 
+/// Two texts of play() as one.
+std::string join_clips(const std::string& a, const std::string& b) {
+    return a.substr(0, a.size() - 1) + "," + b.substr(b.find('[') + 1);
+}
+
 /// A strip of two joints: four vertices at the root's, two at the tip, upright in x-y. The tip
 /// joint stands at y = 1 and turns by 90 degrees about z in one second.
 struct Strip {
@@ -253,8 +258,9 @@ TEST_F(GltfAnimation, TheClipIsAnOption) {
     const int positions = file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", 3);
     const int times = file.add_floats({0, 10}, "SCALAR", 1);
     const int keys = file.add_floats({0, 0, 0, 10, 0, 0}, "VEC3", 3);
-    std::string clips = play("translation", times, keys, "LINEAR", 0);
-    clips.insert(clips.size() - 1, R"(,{"channels":[],"samplers":[]})");
+    // Both move the same node.
+    const std::string clip = play("translation", times, keys, "LINEAR", 0);
+    const std::string clips = join_clips(clip, clip);
     const std::string text = file.text(
         R"({"attributes":{)" + attribute("POSITION", positions) + "}}", R"([{"mesh":0}])", clips);
     const auto first = open(text);
@@ -263,6 +269,25 @@ TEST_F(GltfAnimation, TheClipIsAnOption) {
     EXPECT_TRUE(has_warning("animations[0]"));
     EXPECT_THROW(static_cast<void>(open(text, {{}, 2, {}})), InputError);
     EXPECT_THROW(static_cast<void>(open(Parts{}.text(), {{}, 0, {}})), InputError);
+}
+
+TEST_F(GltfAnimation, ClipsThatMoveDifferentThingsPlayTogether) {
+    AnimatedFile file;
+    const int positions = file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", 3);
+    const int times = file.add_floats({0, 10}, "SCALAR", 1);
+    const int keys = file.add_floats({0, 0, 0, 10, 0, 0}, "VEC3", 3);
+    const int sizes = file.add_floats({1, 1, 1, 3, 3, 3}, "VEC3", 3);
+    const std::string clips = join_clips(play("translation", times, keys, "LINEAR", 0),
+                                         play("scale", times, sizes, "LINEAR", 0));
+    const std::string text = file.text(
+        R"({"attributes":{)" + attribute("POSITION", positions) + "}}", R"([{"mesh":0}])", clips);
+    const auto both = open(text);
+    EXPECT_FALSE(has_warning("animations[0]"));
+    const glm::dmat4 pose = both->compute_pose(5.0).object_to_world[0];
+    EXPECT_NEAR(pose[3].x, 5.0, 1e-6);
+    EXPECT_NEAR(pose[0].x, 2.0, 1e-6);
+    const auto second = open(text, {{}, 1, {}});
+    EXPECT_NEAR(second->compute_pose(5.0).object_to_world[0][3].x, 0.0, 1e-6);
 }
 
 TEST_F(GltfAnimation, MorphTargetsAddUpBeforeTheSkinMoves) {

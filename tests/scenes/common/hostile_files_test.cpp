@@ -42,20 +42,22 @@ std::string make_gltf() {
     return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,2]}],
 "nodes":[{"mesh":0,"skin":0,"children":[1]},{"translation":[0,1,0]},{"camera":0,"translation":[0,0,5]}],
 "cameras":[{"type":"perspective","perspective":{"yfov":1.0,"znear":0.1,"zfar":50}}],
-"skins":[{"joints":[1]}],
+"skins":[{"joints":[1],"inverseBindMatrices":6}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":2,"WEIGHTS_0":3},"indices":1}]}],
 "animations":[{"samplers":[{"input":4,"output":5}],
   "channels":[{"sampler":0,"target":{"node":1,"path":"translation"}}]}],
-"buffers":[{"byteLength":148,"uri":"data.bin"}],
+"buffers":[{"byteLength":212,"uri":"data.bin"}],
 "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6},
  {"buffer":0,"byteOffset":44,"byteLength":12},{"buffer":0,"byteOffset":56,"byteLength":48},
- {"buffer":0,"byteOffset":104,"byteLength":8},{"buffer":0,"byteOffset":112,"byteLength":24}],
+ {"buffer":0,"byteOffset":104,"byteLength":8},{"buffer":0,"byteOffset":112,"byteLength":24},
+ {"buffer":0,"byteOffset":148,"byteLength":64}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
  {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"},
  {"bufferView":2,"componentType":5121,"count":3,"type":"VEC4"},
  {"bufferView":3,"componentType":5126,"count":3,"type":"VEC4"},
  {"bufferView":4,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[1]},
- {"bufferView":5,"componentType":5126,"count":2,"type":"VEC3"}]})";
+ {"bufferView":5,"componentType":5126,"count":2,"type":"VEC3"},
+ {"bufferView":6,"componentType":5126,"count":1,"type":"MAT4"}]})";
 }
 
 std::string make_buffer() {
@@ -77,6 +79,9 @@ std::string make_buffer() {
         add(value);
     }
     bytes.resize(148);
+    for (int i = 0; i < 16; ++i) {
+        add(i % 5 == 0 ? 1.f : 0.f);
+    }
     return bytes;
 }
 
@@ -84,7 +89,7 @@ constexpr const char* kOff = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3
                              "3 1 2 3\n";
 constexpr const char* kWalkthrough =
     R"({"version": 2, "name": "own", "step_seconds": 0.03, "frames": 3, "near": 0.05, "far": 100,
-"cuts": [2], "interpolation": "poses", "poses": [
+"cuts": [2], "poses": [
 {"position": [0, 0, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y_degrees": 60},
 {"position": [0, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y_degrees": 60},
 {"position": [1, 1, 5], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y_degrees": 60}],
@@ -146,6 +151,7 @@ class HostileFilesTest : public testing::Test {
                 static_cast<void>(scene->compute_pose(0.1));
             } catch (const InputError& error) {
                 EXPECT_FALSE(std::string(error.what()).empty());
+                m_last_refusal = error.what();
                 ++refused;
             }
         }
@@ -154,12 +160,13 @@ class HostileFilesTest : public testing::Test {
     void TearDown() override { EXPECT_LT(read_peak_kib(), 1024 * 1024); }
 
     TemporaryFolder m_folder;
+    std::string m_last_refusal;
 };
 
 TEST_F(HostileFilesTest, DamagedGltfTexts) {
     write_file_atomically(m_folder.path() / "data.bin", make_buffer());
     const auto open = [](const fs::path& file) { return open_gltf_scene(file); };
-    EXPECT_EQ(open_all({make_gltf()}, "whole.gltf", open), 0);
+    EXPECT_EQ(open_all({make_gltf()}, "whole.gltf", open), 0) << m_last_refusal;
     EXPECT_GT(open_all(damage(make_gltf(), 160, 1), "damaged.gltf", open), 60);
 }
 
@@ -175,12 +182,13 @@ TEST_F(HostileFilesTest, DamagedBuffersBesideAGltfFile) {
 }
 
 TEST_F(HostileFilesTest, DamagedBinaryGltfFiles) {
-    const SceneUnit& unit = scenes_registry().find("lifted_box");
+    const Registry<SceneUnit> scenes = scenes_registry();
+    const SceneUnit& unit = scenes.find("lifted_box");
     const fs::path whole = m_folder.path() / "whole.glb";
     static_cast<void>(export_gltf(*unit.open(unit.parameters.resolve({}, {})), whole));
     const std::string bytes = read_file(whole);
     const auto open = [](const fs::path& file) { return open_gltf_scene(file); };
-    EXPECT_EQ(open_all({bytes}, "same.glb", open), 0);
+    EXPECT_EQ(open_all({bytes}, "same.glb", open), 0) << m_last_refusal;
     EXPECT_GT(open_all(damage(bytes, 120, 3), "damaged.glb", open), 30);
     // The JSON chunk alone is damaged; lengths stay.
     std::vector<std::string> texts;
@@ -196,7 +204,7 @@ TEST_F(HostileFilesTest, DamagedBinaryGltfFiles) {
 
 TEST_F(HostileFilesTest, DamagedOffFiles) {
     const auto open = [](const fs::path& file) { return open_off_scene(file); };
-    EXPECT_EQ(open_all({kOff}, "whole.off", open), 0);
+    EXPECT_EQ(open_all({kOff}, "whole.off", open), 0) << m_last_refusal;
     EXPECT_GT(open_all(damage(kOff, 120, 5), "damaged.off", open), 60);
 }
 
@@ -206,7 +214,7 @@ TEST_F(HostileFilesTest, DamagedWalkthroughs) {
     const auto open = [&](const fs::path& file) {
         return open_off_scene(model, {std::nullopt, file});
     };
-    EXPECT_EQ(open_all({kWalkthrough}, "whole.json", open), 0);
+    EXPECT_EQ(open_all({kWalkthrough}, "whole.json", open), 0) << m_last_refusal;
     EXPECT_GT(open_all(damage(kWalkthrough, 120, 6), "damaged.json", open), 60);
 }
 
@@ -217,7 +225,7 @@ TEST_F(HostileFilesTest, NothingOutsideTheFolderIsRead) {
     fs::create_symlink(m_folder.path() / "data.bin", inside / "link.bin");
     fs::create_directory_symlink(m_folder.path(), inside / "out");
     int refused = 0;
-    for (const std::string uri :
+    for (const std::string& uri :
          {std::string("../data.bin"), std::string("./../data.bin"), std::string("%2e%2e/data.bin"),
           std::string("link.bin"), std::string("out/data.bin"),
           (m_folder.path() / "data.bin").string(), std::string("file:///etc/passwd"),
