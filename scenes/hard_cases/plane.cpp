@@ -10,11 +10,11 @@
 namespace alcove {
 
 std::unique_ptr<Scene> make_plane_case(const PlaneSettings& settings) {
-    constexpr double kHalf = 1000.0;
+    const double half = settings.half_m;
     const double tilt = glm::radians(settings.tilt_degrees);
     const glm::dvec3 centre(0.0, 0.0, -settings.distance_m);
-    const glm::dvec3 right(kHalf, 0.0, 0.0);
-    const glm::dvec3 up(0.0, kHalf * std::cos(tilt), -kHalf * std::sin(tilt));
+    const glm::dvec3 right(half, 0.0, 0.0);
+    const glm::dvec3 up(0.0, half * std::cos(tilt), -half * std::sin(tilt));
     Mesh mesh;
     mesh.name = "plane";
     for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}) {
