@@ -161,11 +161,17 @@ std::string hash_surfaces(const Scene& scene) {
     for (const Object& object : scene.get_objects()) {
         hasher.add(object.mesh);
     }
-    for (const DirectionalLight& light : scene.get_lights().directional) {
+    return hasher.finish_hex();
+}
+
+std::string hash_lights(const Scene& scene, double time_s) {
+    Hasher hasher;
+    const Lights lights = scene.compute_lights(time_s);
+    for (const DirectionalLight& light : lights.directional) {
         add(hasher, light.to_light);
         add(hasher, light.irradiance);
     }
-    add(hasher, scene.get_lights().ambient);
+    add(hasher, lights.ambient);
     return hasher.finish_hex();
 }
 

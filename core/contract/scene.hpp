@@ -142,6 +142,8 @@ class Scene {
     [[nodiscard]] virtual std::span<const Object> get_objects() const = 0;
     [[nodiscard]] virtual std::span<const Texture> get_textures() const { return {}; }
     [[nodiscard]] virtual const Lights& get_lights() const = 0;
+    /// The lights at a time: as many, in the same order, as get_lights, which are those at time 0.
+    [[nodiscard]] virtual Lights compute_lights(double /*time_s*/) const { return get_lights(); }
     [[nodiscard]] virtual const Walkthrough& get_walkthrough() const = 0;
     /// Radius of interest of ambient occlusion in metres: the default of a run's target.
     [[nodiscard]] virtual double get_ao_radius_m() const = 0;
@@ -181,15 +183,18 @@ struct SceneSize {
 };
 [[nodiscard]] SceneSize count_size(const Scene& scene);
 
-/// Content hash of what does not change with time: meshes, textures, objects and lights.
+/// Content hash of what does not change with time: meshes, textures and objects.
 [[nodiscard]] std::string hash_surfaces(const Scene& scene);
 
 /// `surfaces` (hash_surfaces) with the pose and the deformations at `time_s` and nothing else: with
-/// the camera, what decides a G-buffer and a reference. Relative to the scene's origin, so a scene
-/// moved as a whole keeps its hash.
+/// the camera, what decides a reference, and with hash_lights a G-buffer. Relative to the scene's
+/// origin, so a scene moved as a whole keeps its hash.
 [[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s,
                                         std::string_view surfaces);
 [[nodiscard]] std::string hash_geometry(const Scene& scene, double time_s);
+
+/// Content hash of the lights at `time_s`.
+[[nodiscard]] std::string hash_lights(const Scene& scene, double time_s);
 
 /// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite,
 /// clusters partition their mesh, textures exist, normals are unit within 1e-3, the walkthrough has

@@ -98,7 +98,7 @@ void SceneRenderer::clear(const GBuffer& gbuffer) const {
 }
 
 void SceneRenderer::set_lights(const Pipeline& pipeline, const Camera& camera) const {
-    const std::vector<DirectionalLight>& lights = m_scene.get_lights().directional;
+    const std::vector<DirectionalLight>& lights = m_lights.directional;
     m_gl.Uniform1i(pipeline.program.location("light_count"), static_cast<GLint>(lights.size()));
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const glm::vec3 direction(glm::transpose(camera.world_from_view) * lights[i].to_light);
@@ -233,6 +233,7 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view, const 
     const glm::dmat4 projection = compute_projection(view.camera, view.size, reversed);
     m_counts = {};
     clear(gbuffer);
+    m_lights = m_scene.compute_lights(view.time_s);
     const FramePose pose = pose_frame(view);
     m_gl.Viewport(0, 0, view.size.width, view.size.height);
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);

@@ -59,7 +59,7 @@ class SceneRenderer {
 
     const Pipeline& get_pipeline(const PipelineKey& key);
     void clear(const GBuffer& gbuffer) const;
-    void set_lights(const Pipeline& pipeline, const Camera& camera) const;
+    void set_lights(const Pipeline& pipeline, const Camera& camera) const; ///< those of m_lights
     /// Where everything is, and on the GPU what deforms.
     [[nodiscard]] FramePose pose_frame(const FrameView& view);
     void render(const GBuffer& gbuffer, const FrameView& view, const Pass& pass);
@@ -76,6 +76,7 @@ class SceneRenderer {
     gl::ShaderLibrary m_library;
     SceneGeometry m_geometry;
     std::vector<gl::TextureHandle> m_textures;
+    Lights m_lights; ///< of the frame
     SceneCuller m_culler;
     DrawList m_still;
     DrawList m_moving;

@@ -91,6 +91,9 @@ std::string GBufferStore::make_key(const Scene& scene, const FrameView& view,
         hasher.add(m_geometry_before.get(scene, view.previous_time_s));
     }
     hasher.add(to_text(part));
+    if (channel == Channel::direct_light) {
+        hasher.add(hash_lights(scene, view.time_s));
+    }
     add_view(hasher, scene, view);
     return hasher.finish_hex();
 }

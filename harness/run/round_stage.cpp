@@ -128,6 +128,7 @@ void RoundStage::set_frame(const FrameView& view) {
     for (auto& [key, shown] : m_views) {
         shown = m_gbuffers.get_view(key, view);
     }
+    m_lights = m_scene.compute_lights(view.time_s);
     const bool needs_geometry =
         std::any_of(m_cells.begin(), m_cells.end(),
                     [](const MethodCell& cell) { return cell.needs_geometry(); });
@@ -215,7 +216,7 @@ MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
         add_part(inputs, key.part, m_gbuffers.get(key), m_views.at(key));
     }
     inputs.geometry = cell.needs_geometry() ? &m_geometry : nullptr;
-    inputs.lights = &m_scene.get_lights();
+    inputs.lights = &m_lights;
     inputs.noise_seed = kNoiseSeed;
     return inputs;
 }
@@ -263,8 +264,7 @@ void RoundStage::compose(const MethodCell* cell, const MethodOutput& output, Pas
         }
     }
     PassRecorder recorder(timing, &m_timer);
-    m_compose.render(*gbuffer, m_scene.get_lights().ambient, output.visibility, output.radiance,
-                     recorder);
+    m_compose.render(*gbuffer, m_lights.ambient, output.visibility, output.radiance, recorder);
 }
 
 } // namespace alcove

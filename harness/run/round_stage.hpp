@@ -97,6 +97,7 @@ class RoundStage {
     std::map<GBufferKey, FrameView> m_views; ///< this frame, as each G-buffer shows it
     std::vector<MethodCell> m_cells;
     std::vector<RoundFrame> m_frames;
+    Lights m_lights; ///< of this frame
     PosedGeometry m_geometry;
     /// Every G-buffer of the round was in the cache, with its times, when the round began.
     bool m_loads_gbuffers = false;

@@ -39,7 +39,8 @@ RigShot SceneRig::shoot(Method& method, const FrameView& view, const ShotOptions
     }
     MethodInputs inputs = gbuffers.make_inputs();
     inputs.geometry = geometry ? &*geometry : nullptr;
-    inputs.lights = &m_scene.get_lights();
+    const Lights lights = m_scene.compute_lights(view.time_s);
+    inputs.lights = &lights;
     inputs.noise_seed = options.seed;
     inputs.wants_history_state = options.wants_history_state;
     PassRecorder passes(PassTiming::none);

@@ -12,7 +12,7 @@
 namespace alcove {
 namespace {
 
-enum class Path { moving, turning };
+enum class Path { moving, turning, light };
 
 struct ColourBlocksParameters {
     Path walkthrough = Path::moving;
@@ -20,6 +20,7 @@ struct ColourBlocksParameters {
 
 /// Blocks stand this deep in the floor, metres: in contact, without two faces in one plane.
 constexpr double kSink = 0.004;
+constexpr double kLightDegreesPerS = 90.0; ///< once around in 120 frames at 1/30 s
 constexpr glm::vec3 kFloor(0.75f);
 constexpr glm::vec3 kRed(0.75f, 0.08f, 0.06f);
 constexpr glm::vec3 kBlue(0.07f, 0.14f, 0.72f);
@@ -28,9 +29,9 @@ constexpr glm::vec3 kYellow(0.85f, 0.7f, 0.05f);
 ParameterTable make_table() {
     return describe_parameters(
         "colour_blocks",
-        {choice(&ColourBlocksParameters::walkthrough, "walkthrough", {"moving", "turning"})
-             .meaning("blocks slide and turn about each other under a still camera, or a panel "
-                      "turns its yellow side away from it")
+        {choice(&ColourBlocksParameters::walkthrough, "walkthrough", {"moving", "turning", "light"})
+             .meaning("under a still camera blocks slide and turn about each other, a panel turns "
+                      "its yellow side away, or the light turns once around resting blocks")
              .source("ours; Ritschel, Grosch and Seidel 2009, figures 3 and 4")});
 }
 
@@ -48,11 +49,23 @@ Mesh make_panel() {
     return mesh;
 }
 
+const char* find_file(Path path) {
+    switch (path) {
+    case Path::moving:
+        return "scenes/colour_blocks/walkthrough.json";
+    case Path::turning:
+        return "scenes/colour_blocks/walkthrough_turning.json";
+    case Path::light:
+        break;
+    }
+    return "scenes/colour_blocks/walkthrough_light.json";
+}
+
 std::unique_ptr<Scene> open_colour_blocks(const ResolvedParameters& resolved) {
     const auto parameters = make_table().bind<ColourBlocksParameters>(resolved);
     SceneKit kit;
     kit.add(make_box_mesh("floor", kFloor, {-3.0, -0.25, -2.5}, {3.0, 0.0, 2.5}));
-    if (parameters.walkthrough == Path::moving) {
+    if (parameters.walkthrough != Path::turning) {
         kit.add(make_block("red", kRed, {0.7, 0.7, 0.7}), make_place({-0.95, 0.0, -0.25}, 0.3));
         kit.add(make_block("blue", kBlue, {0.55, 1.1, 0.55}), make_place({0.1, 0.0, -0.75}, -0.2));
         kit.add(make_block("yellow", kYellow, {0.8, 0.45, 0.5}), make_place({0.85, 0.0, 0.2}, 0.5));
@@ -69,9 +82,10 @@ std::unique_ptr<Scene> open_colour_blocks(const ResolvedParameters& resolved) {
     content.lights.directional.push_back(
         {glm::normalize(glm::dvec3(0.55, 1.0, 0.75)), glm::vec3(1.0f, 0.97f, 0.9f)});
     content.lights.ambient = glm::vec3(0.45f, 0.48f, 0.52f);
-    content.walkthrough = get_embedded_walkthrough(
-        parameters.walkthrough == Path::moving ? "scenes/colour_blocks/walkthrough.json"
-                                               : "scenes/colour_blocks/walkthrough_turning.json");
+    content.walkthrough = get_embedded_walkthrough(find_file(parameters.walkthrough));
+    if (parameters.walkthrough == Path::light) {
+        content.light_degrees_per_s = kLightDegreesPerS;
+    }
     content.ao_radius_m = 0.5;
     return std::make_unique<RigidScene>(std::move(content));
 }

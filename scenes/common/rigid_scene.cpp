@@ -5,6 +5,9 @@
 
 #include <utility>
 
+#include <glm/gtx/rotate_vector.hpp>
+#include <glm/trigonometric.hpp>
+
 namespace alcove {
 
 RigidScene::RigidScene(RigidSceneContent content)
@@ -20,6 +23,17 @@ RigidScene::RigidScene(RigidSceneContent content)
         build_clusters(mesh);
     }
     place_walkthrough(m_content.walkthrough, m_content.origin);
+}
+
+Lights RigidScene::compute_lights(double time_s) const {
+    Lights lights = m_content.lights;
+    if (m_content.light_degrees_per_s != 0.0) {
+        const double angle = glm::radians(m_content.light_degrees_per_s * time_s);
+        for (DirectionalLight& light : lights.directional) {
+            light.to_light = glm::rotateY(light.to_light, angle);
+        }
+    }
+    return lights;
 }
 
 Pose RigidScene::compute_pose(double time_s) const {

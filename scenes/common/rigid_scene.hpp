@@ -17,6 +17,8 @@ struct RigidSceneContent {
     std::vector<Object> objects;        ///< `motion` is found out from the tracks
     std::vector<glm::dmat4> transforms; ///< object to scene at rest, one an object
     Lights lights;
+    /// The directional lights turn about +Y at this rate, counter-clockwise seen from above.
+    double light_degrees_per_s = 0.0;
     Walkthrough walkthrough; ///< cameras and the pivots of tracks relative to the origin as well
     double ao_radius_m = 0.5;
     /// World position of the scene's zero, metres. Transforms and cameras are moved by it in
@@ -38,6 +40,7 @@ class RigidScene final : public Scene {
         return m_content.textures;
     }
     [[nodiscard]] const Lights& get_lights() const override { return m_content.lights; }
+    [[nodiscard]] Lights compute_lights(double time_s) const override;
     [[nodiscard]] const Walkthrough& get_walkthrough() const override {
         return m_content.walkthrough;
     }

@@ -20,7 +20,8 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
         gbuffers.draw(view);
         MethodInputs inputs = gbuffers.make_inputs();
         inputs.geometry = requests.posed_geometry ? &geometry : nullptr;
-        inputs.lights = &scene.get_lights();
+        const Lights lights = scene.compute_lights(view.time_s);
+        inputs.lights = &lights;
         inputs.noise_seed = kSeed;
         inputs.wants_history_state = settings.wants_history_state;
         if (settings.between != nullptr) {

@@ -49,7 +49,7 @@ TEST_P(SceneContract, OpenedTwiceItIsTheSameBitForBit) {
     EXPECT_EQ(m_scene->get_walkthrough().cameras.size(), again->get_walkthrough().cameras.size());
 }
 
-/// True if the camera or an object is not where it was on frame 0.
+/// True if the camera, an object or a light is not where it was on frame 0.
 bool has_moved(const Scene& scene, std::size_t frame) {
     const Walkthrough& walkthrough = scene.get_walkthrough();
     const Camera& camera = walkthrough.cameras[frame];
@@ -57,7 +57,9 @@ bool has_moved(const Scene& scene, std::size_t frame) {
     return camera.position != first.position || camera.world_from_view != first.world_from_view ||
            camera.fov_y_radians != first.fov_y_radians ||
            scene.compute_pose(static_cast<double>(frame) * walkthrough.step_s).object_to_world !=
-               scene.compute_pose(0.0).object_to_world;
+               scene.compute_pose(0.0).object_to_world ||
+           hash_lights(scene, static_cast<double>(frame) * walkthrough.step_s) !=
+               hash_lights(scene, 0.0);
 }
 
 /// False if the variant needs data that a set-up fetches and that are not here.

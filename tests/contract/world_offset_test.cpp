@@ -23,6 +23,7 @@ class MovedScene final : public Scene {
     std::span<const Object> get_objects() const override { return m_scene.get_objects(); }
     std::span<const Texture> get_textures() const override { return m_scene.get_textures(); }
     const Lights& get_lights() const override { return m_scene.get_lights(); }
+    Lights compute_lights(double time_s) const override { return m_scene.compute_lights(time_s); }
     const Walkthrough& get_walkthrough() const override { return m_walkthrough; }
     double get_ao_radius_m() const override { return m_scene.get_ao_radius_m(); }
     glm::dvec3 get_origin() const override { return m_scene.get_origin() + m_offset; }

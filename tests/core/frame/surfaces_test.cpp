@@ -22,6 +22,7 @@ class StretchedScene final : public Scene {
     StretchedScene() {
         m_meshes.push_back(make_quad({-4, -4, -5}, {4, -4, -5}, {4, 4, -5}, {-4, 4, -5}));
         m_objects.push_back({"sheet", 0, ObjectMotion::deforming});
+        m_lights.directional.push_back({{0.0, 0.0, 1.0}, glm::vec3(1.0f)});
         m_walkthrough.cameras.assign(4, make_look_at_camera(glm::dvec3(0.0), {0.0, 0.0, -1.0},
                                                             {0.0, 1.0, 0.0}, 1.0, 0.1, 50.0));
         m_walkthrough.cuts = {0};
@@ -32,6 +33,11 @@ class StretchedScene final : public Scene {
     [[nodiscard]] const Walkthrough& get_walkthrough() const override { return m_walkthrough; }
     [[nodiscard]] double get_ao_radius_m() const override { return 0.5; }
     [[nodiscard]] bool is_static() const override { return false; }
+    [[nodiscard]] Lights compute_lights(double time_s) const override {
+        Lights lights = m_lights;
+        lights.directional[0].to_light = {std::sin(time_s), 0.0, std::cos(time_s)};
+        return lights;
+    }
     [[nodiscard]] Pose compute_pose(double time_s) const override {
         return {{glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, kRise * time_s, 0.0))}};
     }
@@ -122,6 +128,17 @@ TEST_F(SurfacesTest, AVertexOfADeformingObjectMovesFromWhereItWasToWhereItIs) {
             EXPECT_NEAR(motion.at(x, y, 2), kLeave * step, 1e-6);
         }
     }
+}
+
+TEST_F(SurfacesTest, ALightThatTurnsLightsAsItStandsOnTheFrame) {
+    const StretchedScene scene;
+    for (const int frame : {0, 3}) {
+        const FrameView view = make_frame_view(scene.get_walkthrough(), frame, kSize, false);
+        const Image direct = render(scene, Channel::direct_light, view);
+        // Albedo 0.8 over pi times the cosine on a sheet that faces +z; stored as a half float.
+        EXPECT_NEAR(direct.at(32, 32), 0.8 / 3.14159265 * std::cos(view.time_s), 3e-4);
+    }
+    EXPECT_NE(hash_lights(scene, 0.0), hash_lights(scene, 0.1));
 }
 
 TEST_F(SurfacesTest, AHeldFrameOfADeformingObjectHasNoMotion) {
