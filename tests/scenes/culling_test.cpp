@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CullingOfScenes,
                                          Case{"factory", "factory", {{"detail", "8"}}, 6},
                                          Case{"moving_objects", "moving_objects", {}, 6},
                                          Case{"paladin", "paladin", {}, 4}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& instance) { return std::string(instance.param.name); });
 
 } // namespace
 } // namespace alcove
