@@ -63,7 +63,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, CullingOfScenes,
                                          Case{"city", "city", {{"detail", "16"}}, 10},
                                          Case{"crowd", "crowd", {}, 4},
                                          Case{"factory", "factory", {{"detail", "8"}}, 6},
-                                         Case{"moving_objects", "moving_objects", {}, 6},
                                          Case{"paladin", "paladin", {}, 4}),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
