@@ -68,7 +68,7 @@ TEST_F(Refusal, PlannedVerbsFlagsAndFilesSayThatTheyArePlanned) {
     for (const char* verb : {"score", "tune", "view"}) {
         expect_refused({verb, "argument", "--flag"}, 2, {verb, "planned"});
     }
-    expect_refused({"scene", "fetch", "bunny"}, 2, {"scene fetch", "planned"});
+    expect_refused({"scene", "fetch", "bunny"}, 2, {"unknown scene", "nearest: bunny00"});
     expect_refused({"run", "--warm"}, 2, {"--warm", "--frames A:B"});
     expect_refused({"run", "--audit", "3"}, 2, {"--audit", "0 to 1"});
     expect_refused({"run", "--sweep", "hemisphere_ssao.sampels=8"}, 2, {"nearest: samples"});

@@ -56,7 +56,7 @@ TEST(Plan, DefaultsOfTheExperimentReachTheRecord) {
     const PlanRecord plan = make_plan(experiment, get_units()).record;
     EXPECT_EQ(plan.repeats, 7);
     EXPECT_EQ(plan.shuffle_seed, 99u);
-    EXPECT_EQ(plan.reference_rays_per_half, 64);
+    EXPECT_EQ(plan.reference_rays_per_half, 32);
     const RoundRecord& round = plan.rounds.at(0);
     EXPECT_EQ(round.width, 96);
     EXPECT_EQ(round.height, 72);
