@@ -22,6 +22,15 @@ std::string describe_segments(const RoundRecord& round) {
 }
 
 /// What the walkthrough shows: geometry at every frame, and the cameras.
+/// Which frames' pictures a capture holds: that of a pilot holds none.
+std::string describe_pictures(const RoundRecord& round) {
+    std::string text;
+    for (const int frame : round.image_frames) {
+        text += std::to_string(frame) + " ";
+    }
+    return text + "film " + std::to_string(round.film.begin) + ":" + std::to_string(round.film.end);
+}
+
 std::string hash_shown(const RoundStage& stage) {
     Hasher hasher;
     GeometryHash geometry;
@@ -78,6 +87,7 @@ CaptureIngredients RoundReuse::describe_round() const {
         {"scene", round.scene},
         {"walkthrough", round.walkthrough},
         {"frames", describe_segments(round)},
+        {"pictures", describe_pictures(round)},
         {"size", std::to_string(round.width) + "x" + std::to_string(round.height)},
         {"precision", round.precision},
         {"target", round.target},

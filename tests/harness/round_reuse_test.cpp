@@ -80,6 +80,17 @@ TEST_F(Reuse, AnUnchangedRoundIsTimedAnewAndNothingElse) {
     }
 }
 
+TEST_F(Reuse, ACaptureWithoutTheFilmDoesNotStandForOneWithIt) {
+    run({"none"});
+    m_films_burst = true;
+    run({"none"});
+    EXPECT_EQ(list_outcomes().at(cell(0).id), "made");
+    const std::map<std::string, std::string> pictures = read_pictures();
+    EXPECT_TRUE(std::any_of(pictures.begin(), pictures.end(), [](const auto& picture) {
+        return picture.first.find("film") != std::string::npos;
+    }));
+}
+
 TEST_F(Reuse, OnlyTheCellThatIsNewIsCaptured) {
     run({"none", "hemisphere_ssao"});
     run({"none", "hemisphere_ssao:samples=8", "hemisphere_ssao"});
