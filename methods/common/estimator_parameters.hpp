@@ -49,6 +49,17 @@ template <class P>
 }
 
 template <class P>
+[[nodiscard]] ParameterBuilder describe_strength(double P::*field) {
+    return real(field, "strength")
+        .range(0.1, 10.0)
+        .log_scale()
+        .unit("1")
+        .meaning(
+            "Factor on occlusion; 1 is the estimate itself. What `tune` fits beside the radius.")
+        .source("ours");
+}
+
+template <class P>
 [[nodiscard]] ParameterBuilder describe_border(KernelBorder P::*field) {
     return choice(field, "border", {"open", "clamp"})
         .rebuild()

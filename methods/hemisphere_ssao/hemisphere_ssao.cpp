@@ -34,6 +34,7 @@ ParameterTable make_table() {
             describe_cut(&P::cut),
             describe_bias(&P::bias),
             describe_border(&P::border),
+            describe_strength(&P::strength),
             integer(&P::blur_radius, "blur_radius")
                 .range(0, 8)
                 .unit("px")

@@ -17,6 +17,7 @@ struct HemisphereSsaoParams {
     double cut = 2.0;     ///< in radii
     double bias = 1.0;    ///< in half pixel footprints along the surface
     KernelBorder border = KernelBorder::open;
+    double strength = 1.0;   ///< factor on occlusion
     int blur_radius = 2;     ///< pixels on each side; 0: no blur
     double blur_edge = 0.05; ///< in radii off the tangent plane
 };

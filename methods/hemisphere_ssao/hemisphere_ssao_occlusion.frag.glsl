@@ -57,5 +57,5 @@ void main() {
         float weight = param_directions == param_directions_uniform ? 2.0 * s.z : 1.0;
         sum += weight * compute_blocked(p, q, bias, cut_squared, 0.5 * pixel_size);
     }
-    visibility = clamp(1.0 - sum / float(param_samples), 0.0, 1.0);
+    visibility = clamp(1.0 - param_strength * (sum / float(param_samples)), 0.0, 1.0);
 }

@@ -203,6 +203,7 @@ ParameterTable make_tssao_table() {
             describe_cut(&P::cut),
             describe_bias(&P::bias),
             describe_border(&P::border),
+            describe_strength(&P::strength),
             real(&P::grazing_cosine, "grazing_cosine")
                 .range(0.0, 0.3)
                 .unit("cosine")

@@ -46,6 +46,7 @@ struct TssaoParams {
     double cut = 2.0;  ///< in radii
     double bias = 1.0; ///< in half pixel footprints
     KernelBorder border = KernelBorder::open;
+    double strength = 1.0; ///< factor on occlusion, behind the history
     double grazing_cosine = 0.1;
     TssaoResolution resolution = TssaoResolution::full;
     double guard = 0.0; ///< percent of width and height on each side

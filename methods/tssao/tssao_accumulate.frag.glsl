@@ -299,7 +299,7 @@ void main() {
     int index = (past.index + taken.count) & (KERNEL_LENGTH - 1);
     bool touches_border = taken.over_border || (past.touches_border && count > 0.0);
     history = vec4(occlusion, merged_count, float(touches_border ? index + kBorderFlag : index), surface.depth);
-    visibility = clamp(1.0 - occlusion, 0.0, 1.0);
+    visibility = clamp(1.0 - param_strength * occlusion, 0.0, 1.0);
     float merged_convergence = compute_convergence(merged_count);
     gl_FragDepth = merged_convergence < param_filter_off_conv ? DEPTH_UNCONVERGED : DEPTH_CONVERGED;
 #ifdef WRITE_HISTORY_STATE

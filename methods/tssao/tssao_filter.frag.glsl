@@ -48,5 +48,5 @@ void main() {
         }
     }
     float result = total > 0.0 ? sum / total : own.r;
-    filtered = is_second ? clamp(1.0 - result, 0.0, 1.0) : result;
+    filtered = is_second ? clamp(1.0 - param_strength * result, 0.0, 1.0) : result;
 }
