@@ -4,6 +4,9 @@
 #include "core/base/nearest_name.hpp"
 #include "core/base/text.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace alcove {
 
 MethodSpec parse_method_spec(std::string_view text, std::string_view option) {
@@ -30,6 +33,30 @@ MethodSpec parse_method_spec(std::string_view text, std::string_view option) {
     }
     spec.method = rest;
     return spec;
+}
+
+std::string_view to_text(SettingsKind kind) {
+    constexpr std::array kNames{"common", "calibrated", "native"};
+    return kNames.at(static_cast<std::size_t>(kind));
+}
+
+std::vector<SettingsKind> parse_settings(const std::vector<std::string>& texts) {
+    const std::vector<std::string> names{"common", "native"};
+    std::vector<SettingsKind> kinds;
+    if (texts.empty()) {
+        throw InputError("--settings", "none", {}, "common, native or both");
+    }
+    for (const std::string& name : texts) {
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            throw InputError("--settings", "unknown choice", name, describe_choices(name, names));
+        }
+        const SettingsKind kind = name == "native" ? SettingsKind::native : SettingsKind::common;
+        if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end()) {
+            throw InputError("--settings", "given twice", name);
+        }
+        kinds.push_back(kind);
+    }
+    return kinds;
 }
 
 ImageSize parse_size(std::string_view text) {

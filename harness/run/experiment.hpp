@@ -13,15 +13,28 @@
 
 namespace alcove {
 
-/// "M[@PRESET][:key=value,...][#label]"
+/// Whose settings a cell has (DESIGN 3.8). common: the method maps the target to its own
+/// parameters. calibrated: what `tune` fitted to the target. native: as the method comes, whatever
+/// the target.
+enum class SettingsKind { common, calibrated, native };
+[[nodiscard]] std::string_view to_text(SettingsKind kind);
+/// "common", "native": the kinds that every specification is run with; calibrated ones come from
+/// files. Throws InputError with the nearest name, or where one is named twice or none.
+[[nodiscard]] std::vector<SettingsKind> parse_settings(const std::vector<std::string>& texts);
+
+/// "M[@PRESET][:key=value,...][#label]", where PRESET may be the path of a calibration
+/// (calibration.hpp), which ends in .toml.
 struct MethodSpec {
     std::string method;
     std::string preset = "default";
-    std::vector<ParameterOverride> overrides;
-    std::string label; ///< the text after '#', else the specification itself
+    std::vector<ParameterOverride> overrides{};
+    std::string label{}; ///< the text after '#', else the specification itself
+    SettingsKind settings = SettingsKind::common;
+    /// Of a calibration: values may be expressions over `scene_radius`, the target's radius.
+    std::vector<ParameterOverride> calibrated{};
 };
 /// Throws InputError naming `option` and the part that cannot be read. Names are checked when the
-/// plan is made.
+/// plan is made; calibrations are read by load_calibration.
 [[nodiscard]] MethodSpec parse_method_spec(std::string_view text,
                                            std::string_view option = "--method");
 
@@ -61,6 +74,8 @@ struct Experiment {
     bool first_scene_only = false;   ///< only the first of them that can be opened
     std::vector<MethodSpec> methods;
     std::vector<SkippedCombination> skipped;
+    /// Every method is run once with each; calibrated methods are calibrated alone.
+    std::vector<SettingsKind> settings{SettingsKind::common};
     FrameChoice frames;
     // Axes that make rounds of their own: every combination is replayed.
     std::vector<ImageSize> sizes{{384, 288}};
@@ -72,6 +87,8 @@ struct Experiment {
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     int reference_rays_per_half = 32;
     std::vector<std::string> metrics; ///< names; empty: all that are reported
+    /// Errors of single frames taken apart (DESIGN 3.7), and the best monotone curve of a method.
+    bool explains_errors = false;
     std::uint64_t shuffle_seed = 1;
     double audit_share = 0.01;    ///< of what caches give, made anew and compared; 0 to 1
     std::uint64_t audit_seed = 1; ///< chooses which

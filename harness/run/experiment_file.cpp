@@ -4,6 +4,7 @@
 #include "core/base/file.hpp"
 #include "core/base/nearest_name.hpp"
 #include "core/base/target.hpp"
+#include "harness/run/calibration.hpp"
 #include "harness/run/experiment_texts.hpp"
 #include "harness/run/grid.hpp"
 #include "harness/run/scene_source.hpp"
@@ -66,11 +67,16 @@ class ExperimentReader {
             m_root.with_place("effects",
                               [&] { m_experiment.effects = parse_effects_choice(*effects); });
         }
+        if (const auto settings = m_root.get_strings("settings")) {
+            m_root.with_place("settings",
+                              [&] { m_experiment.settings = parse_settings(*settings); });
+        }
+        if (const auto explains = m_root.get_boolean("explain_errors")) {
+            m_experiment.explains_errors = *explains;
+        }
         if (const auto reference = m_root.get_string("reference")) {
-            m_root.with_place("reference", [&] {
-                m_experiment.reference = parse_method_spec(*reference, "reference");
-                check_method_spec(m_units.methods, m_experiment.reference);
-            });
+            m_root.with_place("reference",
+                              [&] { m_experiment.reference = read_spec(*reference, "reference"); });
         }
         if (const auto metrics = m_root.get_strings("metrics")) {
             m_root.with_place("metrics", [&] {
@@ -80,6 +86,16 @@ class ExperimentReader {
             });
             m_experiment.metrics = *metrics;
         }
+    }
+
+    /// A calibration that it names lies below the file's folder.
+    [[nodiscard]] MethodSpec read_spec(const std::string& text, std::string_view key) const {
+        MethodSpec spec = parse_method_spec(text, key);
+        load_calibration(spec, m_units.methods, [this](const std::string& path) {
+            return resolve_inside(m_folder, path);
+        });
+        check_method_spec(m_units.methods, spec);
+        return spec;
     }
 
     /// It becomes part of a folder's name.
@@ -207,8 +223,7 @@ class ExperimentReader {
         if (const auto specs = m_root.get_strings("methods")) {
             m_root.with_place("methods", [&] {
                 for (const std::string& text : *specs) {
-                    m_experiment.methods.push_back(parse_method_spec(text, "methods"));
-                    check_method_spec(m_units.methods, m_experiment.methods.back());
+                    m_experiment.methods.push_back(read_spec(text, "methods"));
                 }
             });
         }
@@ -228,10 +243,7 @@ class ExperimentReader {
                              "use = \"M[@PRESET][:key=value,...]\"");
         }
         MethodGrid grid;
-        table.with_place("use", [&] {
-            grid.base = parse_method_spec(*use, "use");
-            check_method_spec(m_units.methods, grid.base);
-        });
+        table.with_place("use", [&] { grid.base = read_spec(*use, "use"); });
         if (const auto label = table.get_string("label")) {
             grid.base.label = *label;
         }

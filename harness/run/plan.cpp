@@ -1,6 +1,7 @@
 #include "harness/run/plan.hpp"
 
 #include "core/base/hash.hpp"
+#include "harness/run/calibration.hpp"
 #include "harness/run/effects_planner.hpp"
 #include "harness/run/history_record.hpp"
 #include "harness/run/scene_source.hpp"
@@ -24,37 +25,11 @@ std::string make_id(std::string_view text) {
     return id.substr(0, kLongest);
 }
 
-CellRecord make_cell(const MethodUnit& unit, const MethodSpec& spec, const Target& target) {
-    std::vector<ParameterOverride> overrides = unit.find_preset(spec.preset).overrides;
-    for (ParameterOverride& override_value : overrides) {
-        override_value.provenance = Provenance::preset;
-    }
-    const TargetMapping mapping = unit.map_target(target);
-    overrides.insert(overrides.end(), mapping.overrides.begin(), mapping.overrides.end());
-    overrides.insert(overrides.end(), spec.overrides.begin(), spec.overrides.end());
-    CellRecord cell;
-    cell.label = spec.label;
-    cell.method = unit.name;
-    cell.preset = spec.preset;
-    cell.has_passes = unit.has_passes;
-    cell.target = describe(target);
-    cell.target_note = mapping.reason;
-    const ExpressionVariables variables{{"scene_radius", target.radius_m}};
-    const ResolvedParameters resolved = unit.parameters.resolve(overrides, variables);
-    cell.warm_frames = unit.warm_frames(resolved);
-    for (const ResolvedParameter& parameter : resolved.values()) {
-        const ParameterInfo& info = unit.parameters.find(parameter.name);
-        cell.parameters.push_back({parameter.name, to_text(parameter.value), info.unit, info.symbol,
-                                   std::string(to_text(parameter.provenance))});
-    }
-    return cell;
-}
-
 CellRecord make_anchor(const MethodUnit& unit, const Target& target, CellRole role) {
     MethodSpec spec;
     spec.method = unit.name;
     spec.label = role == CellRole::anchor ? "anchor" : "anchor (again)";
-    CellRecord cell = make_cell(unit, spec, target);
+    CellRecord cell = make_cell_record(unit, spec, target, target.radius_m);
     cell.role = role;
     cell.id = role == CellRole::anchor ? "anchor-a" : "anchor-b";
     return cell;
@@ -126,6 +101,28 @@ void describe_units(const Experiment& experiment, const Units& units, PlanRecord
     }
 }
 
+/// Every method with every kind of settings that it can have.
+std::vector<MethodSpec> list_specs(const Experiment& experiment, const Units& units) {
+    std::vector<MethodSpec> specs;
+    for (const SettingsKind kind : experiment.settings) {
+        for (MethodSpec spec : experiment.methods) {
+            const bool is_first = kind == experiment.settings.front();
+            const bool has_parameters =
+                !units.methods.find(spec.method).parameters.entries().empty();
+            if (spec.settings == SettingsKind::calibrated || !has_parameters) {
+                if (is_first) {
+                    specs.push_back(std::move(spec));
+                }
+                continue;
+            }
+            spec.settings = kind;
+            spec.label += kind == SettingsKind::native ? " (native)" : "";
+            specs.push_back(std::move(spec));
+        }
+    }
+    return specs;
+}
+
 /// The rounds of one scene, in groups of kMethodsPerRound.
 class ScenePlanner {
   public:
@@ -163,8 +160,8 @@ class ScenePlanner {
         round.image_frames = choose_image_frames(round.segments);
         round.film = choose_film(round.segments);
         round.events = list_events(scene.get_walkthrough());
-        round.reference = make_cell(m_units.methods.find(m_experiment.reference.method),
-                                    m_experiment.reference, target);
+        round.reference = make_cell_record(m_units.methods.find(m_experiment.reference.method),
+                                           m_experiment.reference, target, scene.get_ao_radius_m());
         round.reference.id = "reference";
         if (m_experiment.effects == EffectsChoice::automatic) {
             // No method asks for a bounce yet: all give visibility.
@@ -174,7 +171,7 @@ class ScenePlanner {
         round.scene_vertices = scene_size.vertices;
         round.scene_triangles = scene_size.triangles;
         round.ao_radius_m = scene.get_ao_radius_m();
-        const std::vector<MethodSpec>& specs = m_experiment.methods;
+        const std::vector<MethodSpec> specs = list_specs(m_experiment, m_units);
         for (std::size_t first = 0; first < specs.size(); first += kMethodsPerRound) {
             const std::size_t end = std::min(first + kMethodsPerRound, specs.size());
             add_round(round, target,
@@ -195,7 +192,8 @@ class ScenePlanner {
         round.cells.push_back(make_anchor(anchor, target, CellRole::anchor));
         round.cells.push_back(make_anchor(anchor, target, CellRole::anchor_repeat));
         for (const MethodSpec& spec : specs) {
-            CellRecord cell = make_cell(m_units.methods.find(spec.method), spec, target);
+            CellRecord cell = make_cell_record(m_units.methods.find(spec.method), spec, target,
+                                               round.ao_radius_m);
             cell.effects = describe(choose_effects(round.effects));
             cell.id = "c" + std::to_string(round.cells.size() - 1) + "-" + make_id(spec.label);
             round.cells.push_back(std::move(cell));
@@ -258,6 +256,7 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     record.repeats = experiment.repeats;
     record.shuffle_seed = experiment.shuffle_seed;
     record.reference_rays_per_half = experiment.reference_rays_per_half;
+    record.explains_errors = experiment.explains_errors;
     record.audit_share = experiment.audit_share;
     record.audit_seed = experiment.audit_seed;
     for (const SkippedCombination& skipped : experiment.skipped) {
@@ -297,6 +296,55 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     }
     describe_units(experiment, units, record);
     return plan;
+}
+
+CellRecord make_cell_record(const MethodUnit& unit, const MethodSpec& spec, const Target& target,
+                            double scene_radius_m) {
+    std::vector<ParameterOverride> overrides = unit.find_preset(spec.preset).overrides;
+    for (ParameterOverride& override_value : overrides) {
+        override_value.provenance = Provenance::preset;
+    }
+    const bool is_native = spec.settings == SettingsKind::native;
+    const TargetMapping mapping =
+        is_native ? TargetMapping{{}, "native settings: not mapped to the target"}
+                  : unit.map_target(target);
+    overrides.insert(overrides.end(), mapping.overrides.begin(), mapping.overrides.end());
+    const ExpressionVariables variables{
+        {"scene_radius", is_native ? scene_radius_m : target.radius_m}};
+    for (const ParameterOverride& value : spec.calibrated) {
+        overrides.push_back(evaluate_calibrated(unit.parameters, value, variables));
+    }
+    overrides.insert(overrides.end(), spec.overrides.begin(), spec.overrides.end());
+    CellRecord cell;
+    cell.label = spec.label;
+    cell.method = unit.name;
+    cell.preset = spec.preset;
+    cell.settings = to_text(spec.settings);
+    cell.has_passes = unit.has_passes;
+    cell.target = describe(target);
+    cell.target_note = mapping.reason;
+    const ResolvedParameters resolved = unit.parameters.resolve(overrides, variables);
+    cell.warm_frames = unit.warm_frames(resolved);
+    for (const ResolvedParameter& parameter : resolved.values()) {
+        const ParameterInfo& info = unit.parameters.find(parameter.name);
+        cell.parameters.push_back({parameter.name, to_text(parameter.value), info.unit, info.symbol,
+                                   std::string(to_text(parameter.provenance))});
+    }
+    return cell;
+}
+
+CellRecord override_cell(const MethodUnit& unit, CellRecord cell,
+                         const std::vector<ParameterOverride>& overrides) {
+    for (const ParameterOverride& value : overrides) {
+        const auto parameter =
+            std::find_if(cell.parameters.begin(), cell.parameters.end(),
+                         [&](const ParameterRecord& p) { return p.name == value.name; });
+        ALCOVE_ASSERT(parameter != cell.parameters.end(), "a parameter of the cell's method");
+        parameter->value = value.value;
+        parameter->provenance = to_text(value.provenance);
+    }
+    cell.warm_frames = unit.warm_frames(read_parameters(unit, cell));
+    return cell;
 }
 
 ResolvedParameters read_parameters(const MethodUnit& unit, const CellRecord& cell) {

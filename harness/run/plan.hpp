@@ -21,6 +21,15 @@ struct MadePlan {
 /// out of range, FailureError (exit 1) if no scene is left.
 [[nodiscard]] MadePlan make_plan(const Experiment& experiment, const Units& units);
 
+/// A method's cell under a target, without id. `scene_radius_m` is the scene's own AO radius: what
+/// native settings are made for. Throws InputError.
+[[nodiscard]] CellRecord make_cell_record(const MethodUnit& unit, const MethodSpec& spec,
+                                          const Target& target, double scene_radius_m);
+
+/// The cell with other values of some parameters, which the unit's table can read.
+[[nodiscard]] CellRecord override_cell(const MethodUnit& unit, CellRecord cell,
+                                       const std::vector<ParameterOverride>& overrides);
+
 /// A cell's parameters, read back from the record.
 [[nodiscard]] ResolvedParameters read_parameters(const MethodUnit& unit, const CellRecord& cell);
 

@@ -104,6 +104,16 @@ void RoundPictures::write_cell(const MethodCell& cell, int frame, const Image& v
           encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
 }
 
+bool RoundPictures::is_kept(int frame) const {
+    const std::vector<int>& kept = m_stage.round().image_frames;
+    return std::find(kept.begin(), kept.end(), frame) != kept.end();
+}
+
+void RoundPictures::write_step(const std::string& cell, int frame, const std::string& picture,
+                               const Image& from, const Image& to) {
+    write(cell, frame, picture, make_error_map(from, to, kStepRange));
+}
+
 void RoundPictures::write(const std::string& cell, int frame, const std::string& picture,
                           const Image& codes) {
     const WallTime wall(m_done.images_s);

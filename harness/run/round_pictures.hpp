@@ -36,6 +36,14 @@ class RoundPictures {
     void write_accumulated(const std::string& cell, int frame, const std::vector<Image>& flicker,
                            const HistoryRecord* history);
 
+    /// Are pictures of this frame kept?
+    [[nodiscard]] bool is_kept(int frame) const;
+    /// from - to of two visibilities, as an error map whose full colour is at kStepRange: steps are
+    /// smaller than whole errors.
+    static constexpr float kStepRange = 0.25f;
+    void write_step(const std::string& cell, int frame, const std::string& picture,
+                    const Image& from, const Image& to);
+
   private:
     void write(const std::string& cell, int frame, const std::string& picture, const Image& codes);
 

@@ -1,6 +1,7 @@
 #include "harness/run/round_runner.hpp"
 
 #include "harness/run/effects_saving.hpp"
+#include "harness/run/error_explainer.hpp"
 #include "harness/run/round_capture.hpp"
 #include "harness/run/round_timing.hpp"
 #include "harness/run/wall_time.hpp"
@@ -38,6 +39,10 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
         RoundCapture capture(stage, reuse, result.metrics, result.done, run_folder);
         capture.run(frame_done);
         reuse.finish(result.metrics, result.done);
+        if (plan.explains_errors) {
+            // Behind reuse: its pictures are no part of a cell's capture.
+            ErrorExplainer(stage, result.done, run_folder).run();
+        }
         result.done.gbuffers_drawn = static_cast<int>(stage.gbuffers().drawn());
         result.done.gbuffers_loaded = static_cast<int>(stage.gbuffers().loaded());
         result.done.audited += static_cast<int>(stage.gbuffers().audited());

@@ -6,12 +6,6 @@
 #include <algorithm>
 
 namespace alcove {
-namespace {
-
-/// Seed of methods' noise; one for all runs, so that images are comparable between them.
-constexpr std::uint32_t kNoiseSeed = 1;
-
-} // namespace
 
 RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Units& units,
                        const PlanRecord& plan, const RoundRecord& round, const Scene& scene)
@@ -217,7 +211,7 @@ MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
     }
     inputs.geometry = cell.needs_geometry() ? &m_geometry : nullptr;
     inputs.lights = &m_lights;
-    inputs.noise_seed = kNoiseSeed;
+    inputs.noise_seed = kRoundNoiseSeed;
     return inputs;
 }
 

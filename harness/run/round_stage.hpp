@@ -11,6 +11,9 @@
 
 namespace alcove {
 
+/// Seed of methods' noise; one for all runs, so that images are comparable between them.
+inline constexpr std::uint32_t kRoundNoiseSeed = 1;
+
 /// One frame of one segment.
 struct RoundFrame {
     int segment = 0;

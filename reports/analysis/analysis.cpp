@@ -157,6 +157,10 @@ std::map<std::string, std::vector<Row>> group_by_round(std::vector<Row> rows) {
 
 } // namespace
 
+bool is_compared(const CellAnalysis& cell) {
+    return cell.cell.role == CellRole::method && cell.cell.settings != kNativeSettings;
+}
+
 const MetricAnalysis* CellAnalysis::find(SampleState state, const std::string& metric) const {
     return find_measured(state == SampleState::cold ? cold : converged, metric);
 }

@@ -109,6 +109,10 @@ struct CellAnalysis {
                                                      const std::string& number) const;
 };
 
+/// Is the cell a method's, and may it be held against other rows? Native settings may not (DESIGN
+/// 3.8).
+[[nodiscard]] bool is_compared(const CellAnalysis& cell);
+
 struct RoundAnalysis {
     RoundRecord round;
     RoundDone done;

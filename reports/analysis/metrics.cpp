@@ -74,7 +74,7 @@ void mark_front(RoundAnalysis& round, const PlanRecord& plan) {
     for (CellAnalysis& cell : round.cells) {
         const MetricAnalysis* error = cell.find(SampleState::cold, round.front_metric);
         const bool is_timed = cell.ratio || !cell.cell.has_passes;
-        if (cell.cell.role == CellRole::method && error != nullptr && is_timed) {
+        if (is_compared(cell) && error != nullptr && is_timed) {
             const double value = error->is_below_floor ? *error->floor : error->shown();
             points.push_back({&cell, cell.ratio ? cell.ratio->value : 0.0, sign * value});
         }

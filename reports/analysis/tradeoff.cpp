@@ -26,7 +26,7 @@ class TradeoffBuilder {
 
     void add(const RoundAnalysis& round) {
         for (const CellAnalysis& cell : round.cells) {
-            if (cell.cell.role != CellRole::method || (cell.cell.has_passes && !cell.ratio)) {
+            if (!is_compared(cell) || (cell.cell.has_passes && !cell.ratio)) {
                 continue;
             }
             const MetricAnalysis* error = cell.find(m_tradeoff.state, m_tradeoff.metric);

@@ -85,6 +85,7 @@ void add_line(SummaryTable& table, const RunAnalysis& analysis, const RoundAnaly
     table.add("label", cell.cell.label);
     table.add("method", cell.cell.method);
     table.add("preset", cell.cell.preset);
+    table.add("settings", cell.cell.settings);
     table.add("role", name_role(cell.cell.role));
     table.add("target", cell.cell.target);
     table.add("reference", round.round.reference.label);

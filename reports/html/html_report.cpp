@@ -9,6 +9,7 @@
 #include "reports/html/page_head.hpp"
 #include "reports/html/pictures.hpp"
 #include "reports/html/round_section.hpp"
+#include "reports/html/target_section.hpp"
 #include "reports/html/tradeoff_section.hpp"
 #include "reports/html/web_files.hpp"
 
@@ -119,8 +120,8 @@ std::string make_chart_notice() {
 
 std::string make_footer(const PictureFinder& finder) {
     std::string text = "<footer><p>This folder can be read without the program that made it:";
-    for (const char* file : {"summary.csv", "tradeoff.csv", "samples.csv", "metrics.csv",
-                             "plan.json", "context.json"}) {
+    for (const char* file : {"summary.csv", "tradeoff.csv", "targets.csv", "explanation.csv",
+                             "samples.csv", "metrics.csv", "plan.json", "context.json"}) {
         text += fmt::format(" <a href=\"{}\">{}</a>", finder.make_url(file), file);
     }
     return text + "</p></footer>\n";
@@ -140,9 +141,10 @@ void write_html_report(const RunFolder& run, const HtmlOptions& options) {
     for (const RoundAnalysis& round : analysis.rounds) {
         page += make_round_section(analysis, round, finder);
     }
-    page += tradeoff + make_unfinished_section(analysis) + make_skipped_section(analysis) +
-            make_environment_section(analysis) + make_definitions_section(analysis) + "</main>\n" +
-            make_footer(finder) + make_script(analysis, finder) + "</body></html>\n";
+    page += make_target_section(analysis) + tradeoff + make_unfinished_section(analysis) +
+            make_skipped_section(analysis) + make_environment_section(analysis) +
+            make_definitions_section(analysis) + "</main>\n" + make_footer(finder) +
+            make_script(analysis, finder) + "</body></html>\n";
     write_file_atomically(folder / "index.html", page);
 }
 

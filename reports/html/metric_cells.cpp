@@ -11,7 +11,7 @@ namespace alcove {
 Best::Best(const RoundAnalysis& round, bool lower_is_better, Get get) : m_get(std::move(get)) {
     for (const CellAnalysis& cell : round.cells) {
         const std::optional<double> value = m_get(cell);
-        if (cell.cell.role == CellRole::method && value &&
+        if (is_compared(cell) && value &&
             (!m_best || (lower_is_better ? *value < *m_best : *value > *m_best))) {
             m_best = value;
         }
@@ -19,7 +19,7 @@ Best::Best(const RoundAnalysis& round, bool lower_is_better, Get get) : m_get(st
 }
 
 const char* Best::mark(const CellAnalysis& cell) const {
-    return cell.cell.role == CellRole::method && m_best && m_get(cell) == m_best ? "best" : "";
+    return is_compared(cell) && m_best && m_get(cell) == m_best ? "best" : "";
 }
 
 std::optional<double> get_ranked(const MetricAnalysis* metric) {

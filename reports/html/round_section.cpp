@@ -4,6 +4,7 @@
 #include "reports/analysis/wording.hpp"
 #include "reports/html/escape.hpp"
 #include "reports/html/events.hpp"
+#include "reports/html/explanation_block.hpp"
 #include "reports/html/film.hpp"
 #include "reports/html/temporal_tables.hpp"
 
@@ -113,8 +114,8 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
                         escape_html(round.round.reference.label));
         text += make_picture_sheet(round, finder);
     }
-    return text + make_over_time(analysis, round, finder) + make_detail_tables(analysis, round) +
-           make_cost_note(round) + "</section>\n";
+    return text + make_over_time(analysis, round, finder) + make_explanation_block(round, finder) +
+           make_detail_tables(analysis, round) + make_cost_note(round) + "</section>\n";
 }
 
 } // namespace alcove

@@ -21,7 +21,7 @@ namespace alcove {
 
 /// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
 /// refused by name.
-inline constexpr int kRunSchemaVersion = 3;
+inline constexpr int kRunSchemaVersion = 4;
 
 /// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
 /// Intervals and gates use the envelope.
@@ -82,11 +82,17 @@ struct ParameterRecord {
 /// What a cell is in its round. The two anchors are the A/A pair.
 enum class CellRole { method, anchor, anchor_repeat };
 
+/// CellRecord::settings of cells that are never compared with other rows.
+inline constexpr std::string_view kNativeSettings = "native";
+
 struct CellRecord {
     std::string id;    ///< unique in the run, safe as a folder name: [a-z0-9_.-]
     std::string label; ///< what people read: "hemisphere_ssao@strong_blur:samples=32"
     std::string method;
     std::string preset; ///< "default" if none
+    /// "common": mapped to the target; "calibrated": fitted to it (`tune`); "native": as the method
+    /// comes, whatever the target, and never compared with other rows (DESIGN 3.8).
+    std::string settings = "common";
     CellRole role = CellRole::method;
     bool has_passes = true; ///< false for `none`: its time is 0 by definition and has no ratio row
     std::vector<ParameterRecord> parameters;
@@ -184,7 +190,8 @@ struct PlanRecord {
     int repeats = 0;
     std::uint64_t shuffle_seed = 0;
     int reference_rays_per_half = 0;
-    double audit_share = 0.0; ///< of what caches give, made anew and compared
+    bool explains_errors = false; ///< RoundDone::steps and curves are measured
+    double audit_share = 0.0;     ///< of what caches give, made anew and compared
     std::uint64_t audit_seed = 0;
     std::vector<RoundRecord> rounds;
     std::vector<SkippedRecord> skipped;
@@ -242,6 +249,46 @@ struct ReuseRecord {
     std::vector<IngredientRecord> contents; ///< in which state
 };
 
+/// The error of one cell on one single frame, taken apart (DESIGN 3.7): with d1 = method - its
+/// converged form, d2 = converged form - march, d3 = march - truth, total = d1 + d2 + d3 in every
+/// pixel. Means over all pixels, in squared visibility. A method without a converged form has no
+/// d1: d2 begins at the method's image.
+struct StepRecord {
+    std::string cell;
+    int segment = 0;
+    int frame = 0;
+    double thickness = 0.0;          ///< of the march, in radii; may be infinite
+    bool has_converged_form = false; ///< else d1 is 0
+    double total = 0.0;              ///< mean (d1 + d2 + d3)^2
+    double d1 = 0.0;                 ///< mean d1^2
+    double d2 = 0.0;
+    double d3 = 0.0;
+    double d1_d2 = 0.0; ///< mean d1 d2; it enters the total twice
+    double d1_d3 = 0.0;
+    double d2_d3 = 0.0;
+    double truth_noise = 0.0; ///< squared standard error of truth, part of total and of d3
+    double march_noise = 0.0; ///< so for the march, part of d2 and of d3
+};
+
+/// The march of one thickness against truth: how the best constant thickness was chosen.
+struct ThicknessRecord {
+    double thickness = 0.0; ///< radii; may be infinite
+    double mse = 0.0;       ///< against truth, mean over the round's single frames
+    bool is_best = false;   ///< of the finite ones
+};
+
+/// What the best monotone curve of a cell's visibility mends: a slider's share of its error. Fitted
+/// on every second single frame and judged on the others, both ways.
+struct CurveRecord {
+    std::string cell;
+    int frames = 0;
+    double mse = 0.0;               ///< of the image as it is
+    double mse_fitted = 0.0;        ///< behind the curve, on the frames it was fitted on
+    double mse_held_out = 0.0;      ///< ... on the frames that it was not
+    std::vector<double> visibility; ///< ascending: the curve over all frames
+    std::vector<double> curved;     ///< what it makes of them
+};
+
 /// A round's closing note, beside its two CSVs.
 struct RoundDone {
     double wall_s = 0.0;
@@ -259,6 +306,10 @@ struct RoundDone {
     int audited = 0; ///< cached images, G-buffers and captures that were made again, and agreed
     std::vector<ReuseRecord> reuse;
     std::vector<SavingRecord> savings; ///< of cells that leave effects out
+    double explaining_s = 0.0;         ///< steps and curves; part of the wall time, of no other
+    std::vector<ThicknessRecord> thicknesses;
+    std::vector<StepRecord> steps;
+    std::vector<CurveRecord> curves;
 };
 
 /// A run folder on disk.

@@ -33,6 +33,7 @@ void visit(V& v, CellRecord& r) {
     v("label", r.label);
     v("method", r.method);
     v("preset", r.preset);
+    v("settings", r.settings);
     v("role", r.role);
     v("has_passes", r.has_passes);
     v("parameters", r.parameters);
@@ -131,6 +132,7 @@ void visit(V& v, PlanRecord& r) {
     v("repeats", r.repeats);
     v("shuffle_seed", r.shuffle_seed);
     v("reference_rays_per_half", r.reference_rays_per_half);
+    v("explains_errors", r.explains_errors);
     v("audit_share", r.audit_share);
     v("audit_seed", r.audit_seed);
     v("rounds", r.rounds);
@@ -188,6 +190,42 @@ void visit(V& v, ReuseRecord& r) {
 }
 
 template <class V>
+void visit(V& v, StepRecord& r) {
+    v("cell", r.cell);
+    v("segment", r.segment);
+    v("frame", r.frame);
+    v("thickness", r.thickness);
+    v("has_converged_form", r.has_converged_form);
+    v("total", r.total);
+    v("d1", r.d1);
+    v("d2", r.d2);
+    v("d3", r.d3);
+    v("d1_d2", r.d1_d2);
+    v("d1_d3", r.d1_d3);
+    v("d2_d3", r.d2_d3);
+    v("truth_noise", r.truth_noise);
+    v("march_noise", r.march_noise);
+}
+
+template <class V>
+void visit(V& v, ThicknessRecord& r) {
+    v("thickness", r.thickness);
+    v("mse", r.mse);
+    v("is_best", r.is_best);
+}
+
+template <class V>
+void visit(V& v, CurveRecord& r) {
+    v("cell", r.cell);
+    v("frames", r.frames);
+    v("mse", r.mse);
+    v("mse_fitted", r.mse_fitted);
+    v("mse_held_out", r.mse_held_out);
+    v("visibility", r.visibility);
+    v("curved", r.curved);
+}
+
+template <class V>
 void visit(V& v, DoneFile& r) {
     v("schema_version", r.schema_version);
     v("wall_s", r.done.wall_s);
@@ -205,6 +243,10 @@ void visit(V& v, DoneFile& r) {
     v("audited", r.done.audited);
     v("reuse", r.done.reuse);
     v("savings", r.done.savings);
+    v("explaining_s", r.done.explaining_s);
+    v("thicknesses", r.done.thicknesses);
+    v("steps", r.done.steps);
+    v("curves", r.done.curves);
 }
 
 } // namespace alcove::record_fields

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
 #include "reports/record/stability_fields.hpp"
+#include "reports/record/tune_fields.hpp"
 
 #include <algorithm>
 #include <array>
@@ -367,6 +368,15 @@ std::string make_json(const StabilityRecord& record) {
 
 StabilityRecord parse_stability_json(std::string_view text, std::string_view file) {
     return read_record<StabilityRecord>(text, file, kStabilitySchemaVersion);
+}
+
+std::string make_json(const TuneRecord& record) {
+    TuneRecord copy = record;
+    return write_record(copy);
+}
+
+TuneRecord parse_tune_json(std::string_view text, std::string_view file) {
+    return read_record<TuneRecord>(text, file, kTuneSchemaVersion);
 }
 
 RoundDone parse_done_json(std::string_view text, std::string_view file) {

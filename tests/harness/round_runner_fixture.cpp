@@ -55,6 +55,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.shuffle_seed = seed;
     experiment.reference_rays_per_half = 16;
     experiment.audit_share = m_audit_share;
+    experiment.explains_errors = m_explains_errors;
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }

@@ -42,6 +42,8 @@ class RoundRunnerTest : public GlTest {
     bool m_keeps_cache = false;
     /// Set before run(): of what the cache gives, made again and compared.
     double m_audit_share = 0.0;
+    /// Set before run(): errors of the singles are taken apart.
+    bool m_explains_errors = false;
     /// Set before run(): the burst is kept as a film.
     bool m_films_burst = false;
 
