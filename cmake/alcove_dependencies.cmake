@@ -30,3 +30,7 @@ find_path(ALCOVE_IMATH_INCLUDE Imath/half.h REQUIRED)
 add_library(alcove_oiio INTERFACE)
 target_link_libraries(alcove_oiio INTERFACE ${ALCOVE_OIIO_LIBRARY} ${ALCOVE_OIIO_UTIL_LIBRARY})
 target_include_directories(alcove_oiio SYSTEM INTERFACE ${ALCOVE_IMATH_INCLUDE} ${ALCOVE_IMATH_INCLUDE}/Imath)
+
+find_package(NLopt REQUIRED)
+add_library(alcove_nlopt INTERFACE)
+target_link_libraries(alcove_nlopt INTERFACE NLopt::nlopt)

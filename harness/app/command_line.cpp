@@ -133,6 +133,8 @@ int run_command_line(int argc, char** argv) {
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
+    add("tune", "fit parameters to a target; held-out frames judge",
+        [&](CLI::App& verb) { return add_tune_verb(verb, line); });
     add("stability", "the hard cases, method by case",
         [&](CLI::App& verb) { return add_stability_verb(verb, line); });
     add("plan", "the effects a scene calls for, with evidence and saving", add_plan_verb);

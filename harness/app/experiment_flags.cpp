@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/text.hpp"
+#include "harness/run/calibration.hpp"
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/grid.hpp"
 
@@ -68,6 +69,12 @@ void ExperimentFlags::add_to(CLI::App& app) {
                    "raster_depth=32F|24|16[,reversed],eye_depth=32F|16F|raster,motion=16F|32F");
     app.add_option("--audit", audit,
                    "share of what caches give that is made again and must agree; default 0.01");
+    app.add_option("--settings", settings,
+                   "common (mapped to the target, default), native (as methods come), or both: "
+                   "common,native. Calibrated ones: --method M@FILE.toml, as tune writes it");
+    app.add_flag("--explain-errors", explain_errors,
+                 "errors of single frames taken apart (method, estimator, screen space), and the "
+                 "best monotone curve of each method");
     app.add_option("--effects", effects, "all (default), or auto: only what the scene calls for");
 }
 
@@ -91,6 +98,8 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         experiment.skipped.clear();
         for (const std::string& text : flags.methods) {
             experiment.methods.push_back(parse_method_spec(text));
+            load_calibration(experiment.methods.back(), units.methods,
+                             [](const std::string& path) { return path; });
         }
     }
     replace_frames(flags, experiment);
@@ -113,6 +122,10 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
     if (flags.precision) {
         experiment.precisions = {parse_precision(*flags.precision)};
     }
+    if (flags.settings) {
+        experiment.settings = parse_settings(split(*flags.settings, ','));
+    }
+    experiment.explains_errors = experiment.explains_errors || flags.explain_errors;
     if (flags.effects) {
         experiment.effects = parse_effects_choice(*flags.effects);
     }

@@ -30,6 +30,8 @@ struct ExperimentFlags {
     bool warm = false;
     std::optional<std::string> precision;
     std::optional<std::string> effects;
+    std::optional<std::string> settings;
+    bool explain_errors = false;
     std::optional<double> audit;
 
     /// The flags must outlive the parsing.

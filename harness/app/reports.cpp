@@ -1,6 +1,8 @@
 #include "harness/app/reports.hpp"
 
+#include "reports/csv/explanation_csv.hpp"
 #include "reports/csv/summary_csv.hpp"
+#include "reports/csv/target_csv.hpp"
 #include "reports/csv/tradeoff_csv.hpp"
 #include "reports/html/html_report.hpp"
 #include "reports/terminal/terminal_report.hpp"
@@ -21,6 +23,8 @@ void write_reports(const RunFolder& run, bool in_progress, std::vector<Provision
     const RunAnalysis analysis = analyze_run(run);
     write_summary_csv(run, analysis);
     write_tradeoff_csv(run, analysis);
+    write_target_csv(run, analysis);
+    write_explanation_csv(run, analysis);
     write_html_report(run, {in_progress, std::move(provisional), get_page_folder(run, out)});
 }
 

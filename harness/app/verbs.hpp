@@ -26,6 +26,7 @@ using Action = std::function<int()>;
 [[nodiscard]] Action add_reproduce_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_recommend_verb(CLI::App& app);
 [[nodiscard]] Action add_stability_verb(CLI::App& app, const std::string& command_line);
+[[nodiscard]] Action add_tune_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_plan_verb(CLI::App& app);
 [[nodiscard]] Action add_scene_verb(CLI::App& app);
 [[nodiscard]] Action add_why_verb(CLI::App& app);

@@ -112,6 +112,7 @@ const std::vector<Rule>& get_rules() {
         {"harness/run", {"core", "methods", "metrics", "scenes", "reports/record"}},
         {"harness/stability",
          {"core", "methods", "metrics", "scenes", "reports/record", "harness/run"}},
+        {"harness/tune", {"core", "methods", "metrics", "scenes", "reports/record", "harness/run"}},
         {"harness/app", {"core", "methods", "metrics", "scenes", "reports", "harness"}},
     };
     return kRules;
