@@ -196,10 +196,11 @@ TEST_F(RoundRunnerTest, TheCallerHearsEveryFrameAndEveryRepeat) {
     std::size_t calls = 0;
     std::vector<std::size_t> samples;
     RoundEvents events;
-    events.progress = [&](std::size_t done, std::size_t all) {
-        EXPECT_EQ(done, last + 1);
-        EXPECT_EQ(all, 3u * kRoundFrames);
-        last = done;
+    events.progress = [&](const RoundProgress& progress) {
+        EXPECT_EQ(progress.done, last + 1);
+        EXPECT_EQ(progress.all, 3u * kRoundFrames);
+        EXPECT_EQ(progress.is_timing, progress.done <= 2u * kRoundFrames);
+        last = progress.done;
         ++calls;
     };
     events.repeat_done = [&](const std::vector<SampleRow>& rows, int repeats) {
