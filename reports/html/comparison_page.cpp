@@ -24,7 +24,8 @@ std::string make_row(const ComparisonRow& row) {
     return fmt::format(
         "<tr><td class=\"text\"><span class=\"{}\">{}</span></td><th scope=\"row\" "
         "class=\"name\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td>"
+        "<td class=\"text\">{}</td></tr>\n",
         row.verdict ? mark : "", verdict, escape_html(row.cell->base.label),
         escape_html(row.cell->round.scene), escape_html(row.what), escape_html(row.base),
         escape_html(row.next), escape_html(row.change), escape_html(row.margin),

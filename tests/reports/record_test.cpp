@@ -260,10 +260,10 @@ TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_TRUE(
         contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
     EXPECT_TRUE(
-        contains(error("\n3,", "\n2,"), "samples.csv:2: column schema: another schema version"));
+        contains(error("\n4,", "\n3,"), "samples.csv:2: column schema: another schema version"));
     EXPECT_TRUE(
-        contains(error("\n3,", "\n4,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(contains(error("3,r0-balls", "3,r1-courtyard"), "a row of another round"));
+        contains(error("\n4,", "\n5,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(contains(error("4,r0-balls", "4,r1-courtyard"), "a row of another round"));
     const std::string cut = good.substr(0, good.size() - 4);
     EXPECT_TRUE(contains(error_of([&] {
                              static_cast<void>(
