@@ -33,6 +33,15 @@ double compute_mean_variance(std::span<const double> values) {
     return deviation * deviation / static_cast<double>(values.size());
 }
 
+/// Places of the values, the smallest first.
+std::vector<std::size_t> order_ascending(std::span<const double> values) {
+    std::vector<std::size_t> order(values.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+    return order;
+}
+
 } // namespace
 
 double compute_student_p_value(double t, double degrees_of_freedom) {
@@ -65,16 +74,26 @@ MeanTest test_paired_means(std::span<const double> a, std::span<const double> b)
 }
 
 std::vector<double> adjust_holm(std::span<const double> p_values) {
-    std::vector<std::size_t> order(p_values.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return p_values[a] < p_values[b]; });
+    const std::vector<std::size_t> order = order_ascending(p_values);
     std::vector<double> adjusted(p_values.size());
     double largest = 0.0;
     for (std::size_t rank = 0; rank < order.size(); ++rank) {
         const double scaled = static_cast<double>(order.size() - rank) * p_values[order[rank]];
         largest = std::max(largest, std::min(1.0, scaled));
         adjusted[order[rank]] = largest;
+    }
+    return adjusted;
+}
+
+std::vector<double> adjust_benjamini_hochberg(std::span<const double> p_values) {
+    const std::vector<std::size_t> order = order_ascending(p_values);
+    std::vector<double> adjusted(p_values.size());
+    double smallest = 1.0;
+    for (std::size_t rank = order.size(); rank-- > 0;) {
+        const double scaled = static_cast<double>(order.size()) * p_values[order[rank]] /
+                              static_cast<double>(rank + 1);
+        smallest = std::min(smallest, scaled);
+        adjusted[order[rank]] = smallest;
     }
     return adjusted;
 }

@@ -5,7 +5,7 @@
 // This work is based on: Welch. The generalization of "Student's" problem when several different
 // population variances are involved. 1947. Satterthwaite. An approximate distribution of estimates
 // of variance components. 1946. Holm. A simple sequentially rejective multiple test procedure.
-// 1979.
+// 1979. Benjamini, Hochberg. Controlling the false discovery rate. 1995.
 
 #include "core/base/statistics.hpp"
 
@@ -35,5 +35,9 @@ struct MeanTest {
 /// p-values adjusted for being `p_values.size()` tests at once: rejecting what is at most 0.05
 /// rejects any true hypothesis in at most 5 % of families, however the tests depend on each other.
 [[nodiscard]] std::vector<double> adjust_holm(std::span<const double> p_values);
+
+/// p-values adjusted so that among those at most q at most a share q is expected to be false
+/// discoveries (if the tests are independent or depend positively). Never larger than Holm's.
+[[nodiscard]] std::vector<double> adjust_benjamini_hochberg(std::span<const double> p_values);
 
 } // namespace alcove

@@ -40,7 +40,9 @@ fs::path find_program(const std::string& path, const char* what) {
 /// Flags of `run` that make no sense for two runs side by side.
 void check_run_flags(const std::vector<std::string>& flags) {
     for (const std::string& flag : flags) {
-        for (const std::string own : {"--resume", "--turns", "--clock-of", "--dry-run"}) {
+        // Pairs of repeats need as many on both sides.
+        for (const std::string own :
+             {"--resume", "--turns", "--clock-of", "--dry-run", "--until-width"}) {
             if (flag == own || flag.starts_with(own + "=")) {
                 throw InputError("alcove ab", "cannot be passed on to run", flag);
             }

@@ -33,6 +33,19 @@ void replace_frames(const ExperimentFlags& flags, Experiment& experiment) {
     }
 }
 
+void replace_repeat_rule(const ExperimentFlags& flags, Experiment& experiment) {
+    if (flags.until_width) {
+        experiment.until_width = flags.until_width;
+    }
+    if (flags.time_limit_s) {
+        experiment.time_limit_s = flags.time_limit_s;
+    }
+    if (flags.most_repeats) {
+        experiment.most_repeats = flags.most_repeats;
+    }
+    check_repeats(experiment, {"--until-width", "--time-limit", "--most-repeats"});
+}
+
 } // namespace
 
 void ExperimentFlags::add_to(CLI::App& app) {
@@ -57,6 +70,13 @@ void ExperimentFlags::add_to(CLI::App& app) {
     app.add_option("--frames", frames, "A:B, half-open, in place of the default segments");
     app.add_option("--repeat", repeats,
                    "timing replays a round, default 6; 5 or more give intervals");
+    app.add_option("--until-width", until_width,
+                   "repeat until the 95 % interval of every ratio to the anchor has this relative "
+                   "half-width (0.01 is 1 %); looks after 12, 24, 48, ... repeats");
+    app.add_option("--time-limit", time_limit_s,
+                   "with --until-width: seconds of timing replays a round, whatever the width");
+    app.add_option("--most-repeats", most_repeats,
+                   "with --until-width: repeats a round, whatever the width; default 192");
     app.add_option("--target", target,
                    "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform");
     app.add_option(
@@ -113,6 +133,7 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         }
         experiment.repeats = *flags.repeats;
     }
+    replace_repeat_rule(flags, experiment);
     if (flags.target) {
         experiment.targets = {*flags.target};
     }

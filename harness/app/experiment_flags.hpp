@@ -25,6 +25,9 @@ struct ExperimentFlags {
     std::optional<std::string> size;
     std::optional<std::string> frames;
     std::optional<int> repeats;
+    std::optional<double> until_width;
+    std::optional<double> time_limit_s;
+    std::optional<int> most_repeats;
     std::optional<std::string> target;
     std::optional<std::string> reference;
     bool warm = false;

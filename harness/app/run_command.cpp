@@ -68,12 +68,12 @@ void print_dry_run(const PlanRecord& plan, gl::Context& context, const Units& un
                    fmt::format("{}x{}", round.width, round.height),
                    describe_duration(estimate.total_s));
     }
-    fmt::print("{} cells in {} rounds of {} repeats, {}: about {}, from two frames of each round "
-               "on this machine as busy and with its cache as full as it is now\n",
-               cells, plan.rounds.size(), plan.repeats,
-               plan.skipped.empty() ? "nothing left out"
-                                    : fmt::format("{} left out", plan.skipped.size()),
-               describe_duration(total_s));
+    fmt::print(
+        "{} cells in {} rounds of {}{} repeats, {}: about {}, from two frames of each round "
+        "on this machine as busy and with its cache as full as it is now\n",
+        cells, plan.rounds.size(), plan.until_width > 0.0 ? "at most " : "", plan.limit_repeats(),
+        plan.skipped.empty() ? "nothing left out" : fmt::format("{} left out", plan.skipped.size()),
+        describe_duration(total_s));
 }
 
 int start(const RunFlags& flags, const std::string& command_line) {

@@ -64,6 +64,7 @@ RoundEstimate estimate_round(gl::Context& context, const Units& units, const Pla
     const std::unique_ptr<Scene> scene = open_scene(units.scenes, round.scene, warnings);
     PlanRecord pilot_plan = plan;
     pilot_plan.repeats = 1;
+    pilot_plan.until_width = 0.0;
     RoundRecord pilot = round;
     const SegmentRecord& first = round.segments.front();
     pilot.segments = {{first.begin, std::min(first.end, first.begin + kPilotFrames)}};
@@ -84,7 +85,11 @@ RoundEstimate estimate_round(gl::Context& context, const Units& units, const Pla
     const double cell_frame_s =
         done.passes_s / (2.0 * pilot_frames * static_cast<double>(round.cells.size()));
     const double opening_s = std::max(0.0, done.wall_s - 2.0 * replay_s - once_s);
-    estimate.total_s = opening_s + replayed * (replay_s * (plan.repeats + 1) + once_s) +
+    double timing_s = replayed * replay_s * plan.limit_repeats();
+    if (plan.time_limit_s > 0.0) {
+        timing_s = std::min(timing_s, plan.time_limit_s);
+    }
+    estimate.total_s = opening_s + timing_s + replayed * (replay_s + once_s) +
                        cell_frame_s * static_cast<double>(count_warm_frames(round));
     return estimate;
 }

@@ -3,6 +3,9 @@
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"
 #include "core/base/text.hpp"
+#include "harness/run/repeat_rule.hpp"
+
+#include <algorithm>
 
 #include <algorithm>
 #include <array>
@@ -87,6 +90,37 @@ EffectsChoice parse_effects_choice(std::string_view text) {
         return EffectsChoice::automatic;
     }
     throw InputError("--effects", "unknown choice", text, describe_choices(text, names));
+}
+
+void check_repeats(const Experiment& experiment, const RepeatOptionNames& options) {
+    const auto check = [](bool fits, const std::string& option, const std::string& found,
+                          const std::string& expected) {
+        if (!fits) {
+            throw InputError(option, "out of range", found, expected);
+        }
+    };
+    if (experiment.until_width) {
+        check(*experiment.until_width > 0.0 && *experiment.until_width < 1.0, options.until_width,
+              format_number(*experiment.until_width),
+              "a relative half-width in (0, 1): 0.01 is 1 %");
+    }
+    if (experiment.time_limit_s) {
+        constexpr double kMostSeconds = 1e6;
+        check(*experiment.time_limit_s > 0.0 && *experiment.time_limit_s <= kMostSeconds,
+              options.time_limit, format_number(*experiment.time_limit_s),
+              "seconds in (0, 1000000]");
+    }
+    if (experiment.most_repeats) {
+        const int least = std::max(kFirstLook, experiment.repeats);
+        check(*experiment.most_repeats >= least && *experiment.most_repeats <= kMostRepeats,
+              options.most_repeats, std::to_string(*experiment.most_repeats),
+              std::to_string(least) + " to " + std::to_string(kMostRepeats));
+    }
+    if (!experiment.until_width && (experiment.time_limit_s || experiment.most_repeats)) {
+        throw InputError(experiment.time_limit_s ? options.time_limit : options.most_repeats,
+                         "limits repeats that go on", "no " + options.until_width,
+                         options.until_width + " W");
+    }
 }
 
 } // namespace alcove

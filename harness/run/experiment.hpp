@@ -83,6 +83,10 @@ struct Experiment {
     std::vector<Precision> precisions{Precision{}};
     EffectsChoice effects = EffectsChoice::all;
     int repeats = 6;
+    /// Repeats go on until every cell's ratio to the anchor is known to this relative half-width.
+    std::optional<double> until_width;
+    std::optional<double> time_limit_s; ///< of a round's timing replays; only with until_width
+    std::optional<int> most_repeats;    ///< only with until_width
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     int reference_rays_per_half = 32;
@@ -96,6 +100,16 @@ struct Experiment {
 };
 
 /// 1 to this many timing replays.
-inline constexpr int kMostRepeats = 1000;
+inline constexpr int kMostRepeats = 10000;
+
+/// Throws InputError, naming the `options` as they are written where they come from, unless widths
+/// and limits are positive, there is a width if there is a limit, and the most repeats are enough
+/// for a look at the intervals.
+struct RepeatOptionNames {
+    std::string until_width;
+    std::string time_limit;
+    std::string most_repeats;
+};
+void check_repeats(const Experiment& experiment, const RepeatOptionNames& options);
 
 } // namespace alcove

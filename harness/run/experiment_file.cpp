@@ -55,6 +55,7 @@ class ExperimentReader {
             check_range(*repeats, 1, kMostRepeats, m_root, "repeats");
             m_experiment.repeats = static_cast<int>(*repeats);
         }
+        read_repeat_rule();
         if (const auto seed = m_root.get_integer("seed")) {
             m_experiment.shuffle_seed = static_cast<std::uint64_t>(*seed);
         }
@@ -96,6 +97,21 @@ class ExperimentReader {
         });
         check_method_spec(m_units.methods, spec);
         return spec;
+    }
+
+    void read_repeat_rule() {
+        m_experiment.until_width = m_root.get_number("until_width");
+        m_experiment.time_limit_s = m_root.get_number("time_limit_s");
+        if (const auto most = m_root.get_integer("most_repeats")) {
+            check_range(*most, 1, kMostRepeats, m_root, "most_repeats");
+            m_experiment.most_repeats = static_cast<int>(*most);
+        }
+        const std::string key = m_experiment.until_width    ? "until_width"
+                                : m_experiment.time_limit_s ? "time_limit_s"
+                                                            : "most_repeats";
+        m_root.with_place(key, [&] {
+            check_repeats(m_experiment, {"until_width", "time_limit_s", "most_repeats"});
+        });
     }
 
     /// It becomes part of a folder's name.

@@ -154,7 +154,7 @@ std::optional<std::vector<std::int64_t>> GBufferStore::read_times(const std::str
     if (!fs::is_regular_file(path, error)) {
         return std::nullopt;
     }
-    constexpr std::uintmax_t kLargestTimes = std::uintmax_t{1} << 16;
+    constexpr std::uintmax_t kLargestTimes = std::uintmax_t{1} << 18;
     std::vector<std::int64_t> times;
     try {
         for (const std::string& line : split(read_file(path, kLargestTimes), '\n')) {

@@ -4,6 +4,7 @@
 #include "harness/run/calibration.hpp"
 #include "harness/run/effects_planner.hpp"
 #include "harness/run/history_record.hpp"
+#include "harness/run/repeat_rule.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
 #include <algorithm>
@@ -254,6 +255,12 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     record.title = experiment.title;
     record.command_line = experiment.command_line;
     record.repeats = experiment.repeats;
+    if (experiment.until_width) {
+        record.until_width = *experiment.until_width;
+        record.time_limit_s = experiment.time_limit_s.value_or(0.0);
+        record.most_repeats =
+            experiment.most_repeats.value_or(std::max(kDefaultMostRepeats, experiment.repeats));
+    }
     record.shuffle_seed = experiment.shuffle_seed;
     record.reference_rays_per_half = experiment.reference_rays_per_half;
     record.explains_errors = experiment.explains_errors;

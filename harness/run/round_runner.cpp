@@ -2,6 +2,8 @@
 
 #include "harness/run/effects_saving.hpp"
 #include "harness/run/error_explainer.hpp"
+#include "harness/run/machine_watch.hpp"
+#include "harness/run/repeat_rule.hpp"
 #include "harness/run/round_capture.hpp"
 #include "harness/run/round_timing.hpp"
 #include "harness/run/wall_time.hpp"
@@ -16,18 +18,32 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
     {
         const WallTime wall(wall_s);
         RoundStage stage(context, timer_mode, units, plan, round, scene);
-        const std::size_t frames =
-            stage.frames().size() * static_cast<std::size_t>(plan.repeats + 1);
-        std::size_t frames_done = 0;
-        const auto frame_done = [&] { events.progress(++frames_done, frames); };
+        const RepeatRule rule(plan, round);
+        RoundProgress progress;
+        const auto expect_repeats = [&](int repeats) {
+            progress.all = stage.frames().size() * static_cast<std::size_t>(repeats + 1);
+            progress.is_timing = true;
+        };
+        const auto frame_done = [&] {
+            ++progress.done;
+            events.progress(progress);
+        };
         {
             RoundTiming timing(stage, result.samples, result.done);
             timing.warm_up();
-            for (int repeat = 0; repeat < plan.repeats; ++repeat) {
-                events.before_step("repeat " + std::to_string(repeat) + " " + round.id);
-                timing.time_repeat(repeat, frame_done);
-                events.repeat_done(result.samples, repeat + 1);
-            }
+            double timed_s = 0.0;
+            int taken = 0;
+            do {
+                expect_repeats(rule.find_next_look(taken));
+                events.before_step("repeat " + std::to_string(taken) + " " + round.id);
+                const MachineWatch machine;
+                timing.time_repeat(taken, frame_done);
+                result.done.machine.push_back(machine.read());
+                timed_s += result.done.machine.back().wall_s;
+                events.repeat_done(result.samples, ++taken);
+            } while (!rule.is_enough(taken, timed_s, result.samples, result.done.repeats));
+            expect_repeats(taken);
+            progress.is_timing = false;
             events.before_step("capture " + round.id);
             timing.store_gbuffers();
         }

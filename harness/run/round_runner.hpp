@@ -15,12 +15,19 @@ struct RoundResult {
     RoundDone done;
 };
 
+struct RoundProgress {
+    std::size_t done = 0; ///< frames of all replays
+    /// Up to the end; where repeats go on until intervals are narrow, up to the next look at them.
+    std::size_t all = 0;
+    bool is_timing = false; ///< else the capture
+};
+
 /// What the caller hears from a round while it runs.
 struct RoundEvents {
     /// Before each timing replay ("repeat 0 ROUND") and the capture ("capture ROUND").
     std::function<void(const std::string&)> before_step = [](const std::string&) {};
-    /// After each frame of each replay: frames done and frames in all.
-    std::function<void(std::size_t, std::size_t)> progress = [](std::size_t, std::size_t) {};
+    /// After each frame of each replay.
+    std::function<void(const RoundProgress&)> progress = [](const RoundProgress&) {};
     /// After each timing replay, with all samples so far and the repeats that are finished.
     std::function<void(const std::vector<SampleRow>&, int)> repeat_done =
         [](const std::vector<SampleRow>&, int) {};

@@ -44,11 +44,10 @@ void run_experiment(RunFolder& run, gl::Context& context, gl::TimerMode timer_mo
         const std::unique_ptr<Scene> scene = open_scene(units.scenes, round.scene, ignored);
         RoundEvents round_events;
         round_events.before_step = events.before_step;
-        round_events.progress = [&](std::size_t done, std::size_t all) {
-            const bool timing = done * static_cast<std::size_t>(plan.repeats + 1) <=
-                                all * static_cast<std::size_t>(plan.repeats);
-            events.progress(share(static_cast<double>(done) / static_cast<double>(all)),
-                            round.scene + (timing ? ": timing" : ": images and reference"));
+        round_events.progress = [&](const RoundProgress& progress) {
+            events.progress(
+                share(static_cast<double>(progress.done) / static_cast<double>(progress.all)),
+                round.scene + (progress.is_timing ? ": timing" : ": images and reference"));
         };
         round_events.repeat_done = [&](const std::vector<SampleRow>& samples, int repeats) {
             if (repeats == 1) {

@@ -64,7 +64,8 @@ std::optional<Estimate> estimate_total(const CellSeries& cell, const Series& bas
 }
 
 Percentiles compute_percentiles(const std::vector<double>& times_ms) {
-    return {compute_quantile(times_ms, 0.5), compute_quantile(times_ms, 0.95), times_ms.size()};
+    return {compute_quantile(times_ms, 0.5), compute_quantile(times_ms, 0.95),
+            compute_quantile(times_ms, 0.99), times_ms.size()};
 }
 
 void analyze_frames(CellAnalysis& cell, const Series& envelope) {
@@ -82,8 +83,23 @@ void analyze_frames(CellAnalysis& cell, const Series& envelope) {
     }
     if (!medians.empty()) {
         cell.content = compute_percentiles(medians);
+        cell.slow_frames = compute_slow_frames(medians);
         cell.noise = compute_percentiles(get_values(envelope.compute_repeat_medians_ms()));
     }
+}
+
+/// The logs that a cell's interval is made of; of the anchor those of its times.
+std::vector<double> list_repeat_logs(CellRole role, const Series& envelope, const Series& anchor) {
+    std::vector<double> logs;
+    if (role != CellRole::anchor) {
+        logs = get_values(compute_log_ratios(envelope, anchor));
+    } else {
+        for (const auto& [repeat, time_ms] : envelope.compute_repeat_medians_ms()) {
+            logs.push_back(std::log(time_ms));
+        }
+    }
+    std::erase_if(logs, [](double value) { return !std::isfinite(value); });
+    return logs;
 }
 
 CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, const Series& base,
@@ -105,6 +121,9 @@ CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, co
     cell.passes = analyze_passes(series, tick_ns);
     cell.coverage = estimate_repeats(divide_repeats(series.divided, series.envelope));
     analyze_frames(cell, series.envelope);
+    const std::vector<double> logs = list_repeat_logs(record.role, series.envelope, anchor);
+    cell.outliers = classify_outliers(logs);
+    cell.lag1 = compute_lag1_autocorrelation(logs);
     return cell;
 }
 
@@ -132,6 +151,7 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
     if (result.aa_ratio) {
         result.minimum_detectable_effect = compute_minimum_detectable_effect(*result.aa_ratio);
     }
+    result.machine = judge_machine(round, sorted, result.done, run.context());
     analyze_metrics(result, metrics, run.plan());
     analyze_sequences(result, metrics, run.plan());
     mark_front(result, run.plan());

@@ -2,7 +2,9 @@
 // What a run says: ratios, times and errors of every cell with what is known of their error, from
 // the rows of the run folder (DESIGN 3.6). A value; the reports only lay it out.
 
+#include "core/base/spread.hpp"
 #include "core/base/statistics.hpp"
+#include "reports/analysis/fitness.hpp"
 #include "reports/record/record.hpp"
 
 #include <optional>
@@ -23,6 +25,7 @@ struct ProvisionalRow {
 struct Percentiles {
     double p50_ms = 0.0;
     double p95_ms = 0.0;
+    double p99_ms = 0.0;
     std::size_t n = 0; ///< frames (content) or repeats (noise)
 };
 
@@ -91,12 +94,17 @@ struct CellAnalysis {
     bool has_cached_input = false;
     std::optional<Percentiles> content;
     std::optional<Percentiles> noise;
-    std::vector<PassAnalysis> passes;         ///< in the order they were recorded, inputs first
-    std::optional<Estimate> coverage;         ///< sum of divided passes / envelope
-    std::vector<MetricAnalysis> cold;         ///< bursts, in the plan's order of metrics
-    std::vector<MetricAnalysis> converged;    ///< singles
-    std::vector<MetricAnalysis> temporal;     ///< metrics over time: bursts, cold
-    std::vector<MetricAnalysis> history_cold; ///< what it says of its history: bursts
+    std::optional<SlowFrames> slow_frames; ///< content, in ms: over frames, of medians over repeats
+    /// Repeats that lie apart: of the logs of the ratio to the anchor, of the anchor itself those
+    /// of its times. Counted, never dropped; none under 5 repeats.
+    std::optional<OutlierCount> outliers;
+    std::optional<double> lag1;       ///< autocorrelation of the same numbers from repeat to repeat
+    std::vector<PassAnalysis> passes; ///< in the order they were recorded, inputs first
+    std::optional<Estimate> coverage; ///< sum of divided passes / envelope
+    std::vector<MetricAnalysis> cold; ///< bursts, in the plan's order of metrics
+    std::vector<MetricAnalysis> converged;         ///< singles
+    std::vector<MetricAnalysis> temporal;          ///< metrics over time: bursts, cold
+    std::vector<MetricAnalysis> history_cold;      ///< what it says of its history: bursts
     std::vector<MetricAnalysis> history_converged; ///< ... singles
     std::vector<FrameTime> frame_times;
     std::vector<FrameError> frame_errors; ///< cold, all segments
@@ -124,6 +132,7 @@ struct RoundAnalysis {
     std::optional<Estimate> base_ms;  ///< base G-buffer
     std::optional<Estimate> aa_ratio; ///< the anchor against itself
     std::optional<double> minimum_detectable_effect; ///< relative, 0.03 = 3 %
+    Fitness machine;
     std::optional<double> reference_floor; ///< of front_metric, mean over cells and frames
     std::optional<double> smallest_error;  ///< of front_metric among methods
 };

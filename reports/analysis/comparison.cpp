@@ -4,8 +4,11 @@
 #include "reports/analysis/comparison_matching.hpp"
 #include "reports/analysis/comparison_quality.hpp"
 #include "reports/analysis/comparison_time.hpp"
+#include "reports/analysis/discoveries.hpp"
+#include "reports/analysis/fitness.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <fmt/core.h>
 
@@ -34,20 +37,8 @@ Side read_side(const RunFolder& run) {
     return side;
 }
 
-const CellSeries& find_role(RoundSeries& series, const RoundRecord& round, CellRole role) {
-    const auto found = std::find_if(round.cells.begin(), round.cells.end(),
-                                    [&](const CellRecord& cell) { return cell.role == role; });
-    static const CellSeries kNone;
-    return found == round.cells.end() ? kNone : series.cells[found->id];
-}
-
 AnchoredCell find_times(Side& side, const PlacedCell& place) {
-    RoundSeries& series = side.times[place.round->id];
-    const CellSeries& anchor = find_role(series, *place.round, CellRole::anchor);
-    const CellSeries& again = find_role(series, *place.round, CellRole::anchor_repeat);
-    const std::optional<Estimate> aa_ratio = estimate_ratio(again.envelope, anchor.envelope);
-    return {series.cells[place.cell->id], anchor,
-            aa_ratio ? compute_minimum_detectable_effect(*aa_ratio) : 0.0};
+    return find_anchored_cell(side.times[place.round->id], *place.round, *place.cell);
 }
 
 CellComparison compare_cell(Side& base, const PlacedCell& base_place, Side& next,
@@ -121,6 +112,22 @@ void list_unpaired_metrics(std::vector<Unpaired>& unpaired, const PlanRecord& pl
                          [&](const MetricDescription& m) { return m.name == metric.name; })) {
             unpaired.push_back(
                 {is_base, "metric " + metric.name, "the other run does not have it"});
+        }
+    }
+}
+
+/// Where the machine was not fit, of the rounds that were compared.
+void note_machines(std::vector<std::string>& notes, Side& side, const char* name,
+                   const std::set<const RoundRecord*>& rounds) {
+    for (const RoundRecord& round : side.run.plan().rounds) {
+        if (!rounds.contains(&round)) {
+            continue;
+        }
+        const Fitness fitness =
+            judge_machine(round, side.times[round.id],
+                          side.run.read_done(round.id).value_or(RoundDone{}), side.run.context());
+        if (fitness.verdict != MachineVerdict::fit) {
+            notes.push_back(fmt::format("{}, {}: {}", name, round.id, describe_fitness(fitness)));
         }
     }
 }
@@ -214,10 +221,16 @@ Comparison compare_runs(const RunFolder& base, const RunFolder& next,
     comparison.notes = list_notes(base, next);
     Side base_side = read_side(base);
     Side next_side = read_side(next);
+    std::set<const RoundRecord*> base_rounds;
+    std::set<const RoundRecord*> next_rounds;
     for (const auto& [base_place, next_place] : matched.pairs) {
+        base_rounds.insert(base_place.round);
+        next_rounds.insert(next_place.round);
         comparison.cells.push_back(
             compare_cell(base_side, base_place, next_side, next_place, options));
     }
+    note_machines(comparison.notes, base_side, "BASE", base_rounds);
+    note_machines(comparison.notes, next_side, "NEW", next_rounds);
     std::vector<TimeComparison*> times;
     for (CellComparison& cell : comparison.cells) {
         if (cell.time) {
@@ -225,6 +238,7 @@ Comparison compare_runs(const RunFolder& base, const RunFolder& next,
         }
     }
     judge_times(times);
+    find_discoveries(comparison);
     return comparison;
 }
 

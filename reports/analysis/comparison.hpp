@@ -36,6 +36,19 @@ struct ComparedRun {
     std::string command_line;
 };
 
+/// Tests without a shape of noise, of the logs of the ratio to the anchor. They can take a verdict
+/// back, never give one: with all their p-values after Holm above 5 %, better and worse are
+/// unknown.
+struct RankEvidence {
+    /// "mann_whitney"; for paired repeats "signed_ranks", which alone keeps the pairs.
+    std::string test;
+    double p_value = 1.0;
+    double adjusted_p_value = 1.0;    ///< Holm over the tests of this time
+    std::optional<double> ks_p_value; ///< Kolmogorov-Smirnov; none for paired repeats
+    std::optional<double> ks_adjusted_p_value;
+    [[nodiscard]] bool is_silent() const; ///< none of them rejects at 5 %
+};
+
 /// Envelope of a cell over its anchor's, NEW against BASE.
 struct TimeComparison {
     Verdict verdict = Verdict::unknown;
@@ -44,10 +57,13 @@ struct TimeComparison {
     /// NEW / BASE, across repeats; without an interval under 5 repeats on either side. n: repeats
     /// of the smaller side. Minimum and maximum: of pairs, or of all that could be paired.
     Estimate change;
-    std::optional<double> p_value;          ///< of "nothing changed"; none without an interval
-    std::optional<double> adjusted_p_value; ///< Holm, over all times of the comparison
-    double margin = 0.0;                    ///< relative
-    double detectable = 0.0;                ///< larger minimum detectable effect of the two rounds
+    std::optional<double> p_value;           ///< of "nothing changed"; none without an interval
+    std::optional<double> adjusted_p_value;  ///< Holm, over all times of the comparison
+    std::optional<double> discovery_p_value; ///< Benjamini-Hochberg, over all times and metrics
+    std::optional<RankEvidence> ranks;       ///< none without an interval
+    bool is_taken_back = false;              ///< would be better or worse but for the ranks
+    double margin = 0.0;                     ///< relative
+    double detectable = 0.0;                 ///< larger minimum detectable effect of the two rounds
 };
 
 /// Where a time went, in units of the anchor: information without verdict.
@@ -76,6 +92,10 @@ struct QualityComparison {
     bool is_by_segment = false;   ///< the unit: segments, else frames
     double margin = 0.0;          ///< in units of the metric
     bool is_margin_floor = false; ///< the margin is the reference's own noise
+    /// Of no difference, by t over the units; none under 5 of them or without verdict. Frames of a
+    /// burst resemble their neighbours, so that over frames it is smaller than it should be.
+    std::optional<double> p_value;
+    std::optional<double> discovery_p_value; ///< Benjamini-Hochberg, over all times and metrics
     std::string note;
 };
 
@@ -119,6 +139,21 @@ struct Unpaired {
     std::string reason;
 };
 
+/// Expected share of false ones among discoveries.
+inline constexpr double kFalseDiscoveryRate = 0.05;
+
+/// What Benjamini and Hochberg find in the matrix of cells by times and metrics. Decides nothing.
+struct Discoveries {
+    std::size_t times = 0;
+    std::size_t all_times = 0;
+    std::size_t by_segment = 0; ///< metrics over segments
+    std::size_t all_by_segment = 0;
+    std::size_t by_frame = 0; ///< metrics over frames: optimistic
+    std::size_t all_by_frame = 0;
+    [[nodiscard]] std::size_t found() const { return times + by_segment + by_frame; }
+    [[nodiscard]] std::size_t tested() const { return all_times + all_by_segment + all_by_frame; }
+};
+
 struct Comparison {
     ComparisonOptions options;
     ComparedRun base;
@@ -129,6 +164,8 @@ struct Comparison {
 
     /// Verdicts on times and metrics.
     [[nodiscard]] std::size_t count(Verdict verdict) const;
+    /// Times and metrics with a p-value, and those of them that are discoveries.
+    [[nodiscard]] Discoveries count_discoveries() const;
 };
 
 /// Throws InputError, naming the field and both values, if times or ratios of the two cannot be

@@ -155,6 +155,7 @@ void judge(QualityComparison& quality, const std::vector<FramePair>& pairs) {
     quality.is_margin_floor = floor > 0.0 && quality.margin == floor;
     const Estimate& difference = quality.difference;
     if (difference.interval) {
+        quality.p_value = test_paired_means(units.base, units.next).p_value;
         quality.verdict =
             judge_interval(turn(*difference.interval, quality.lower_is_better), quality.margin);
     } else {
@@ -195,6 +196,7 @@ std::optional<QualityComparison> compare_metric(const MeasuredCell& base, const 
     }
     if (column == MetricColumn::history_cold || column == MetricColumn::history_converged) {
         quality.verdict.reset();
+        quality.p_value.reset();
     }
     return quality;
 }

@@ -1,6 +1,7 @@
 #include "reports/analysis/comparison_time.hpp"
 
 #include "core/base/hypothesis.hpp"
+#include "core/base/rank_tests.hpp"
 
 #include <algorithm>
 
@@ -14,10 +15,26 @@ using Repeats = std::map<int, double>;
 struct Difference {
     Estimate estimate;
     std::optional<double> p_value;
+    std::optional<RankEvidence> ranks;
 };
 
-Difference make_difference(const MeanTest& test, double minimum, double maximum, std::size_t n) {
-    return {{test.difference, test.interval, minimum, maximum, n}, test.p_value};
+RankEvidence rank_groups(std::span<const double> a, std::span<const double> b) {
+    RankEvidence ranks;
+    ranks.test = "mann_whitney";
+    ranks.p_value = test_mann_whitney(a, b).p_value;
+    ranks.ks_p_value = test_kolmogorov_smirnov(a, b).p_value;
+    const std::vector<double> adjusted = adjust_holm(std::vector{ranks.p_value, *ranks.ks_p_value});
+    ranks.adjusted_p_value = adjusted[0];
+    ranks.ks_adjusted_p_value = adjusted[1];
+    return ranks;
+}
+
+RankEvidence rank_pairs(std::span<const double> a, std::span<const double> b) {
+    RankEvidence ranks;
+    ranks.test = "signed_ranks";
+    ranks.p_value = test_signed_ranks(a, b).p_value;
+    ranks.adjusted_p_value = ranks.p_value;
+    return ranks;
 }
 
 std::optional<Difference> difference_of_pairs(const Repeats& base, const Repeats& next) {
@@ -34,9 +51,10 @@ std::optional<Difference> difference_of_pairs(const Repeats& base, const Repeats
     if (a.empty()) {
         return std::nullopt;
     }
-    Difference difference{estimate_across_repeats(differences), {}};
+    Difference difference{estimate_across_repeats(differences), {}, {}};
     if (a.size() >= kMinimumRepeatsForInterval) {
         difference.p_value = test_paired_means(a, b).p_value;
+        difference.ranks = rank_pairs(a, b);
     }
     return difference;
 }
@@ -53,9 +71,11 @@ std::optional<Difference> difference_of_groups(const Repeats& base, const Repeat
     const double maximum = *b_maximum - *a_minimum;
     const std::size_t n = std::min(a.size(), b.size());
     if (n >= kMinimumRepeatsForInterval) {
-        return make_difference(test_independent_means(a, b), minimum, maximum, n);
+        const MeanTest test = test_independent_means(a, b);
+        return Difference{
+            {test.difference, test.interval, minimum, maximum, n}, test.p_value, rank_groups(a, b)};
     }
-    return Difference{{compute_mean(b) - compute_mean(a), {}, minimum, maximum, n}, {}};
+    return Difference{{compute_mean(b) - compute_mean(a), {}, minimum, maximum, n}, {}, {}};
 }
 
 std::optional<Difference> compute_difference(const Repeats& base, const Repeats& next,
@@ -129,6 +149,27 @@ bool is_cached(const CellSeries& cell, const std::string& pass) {
 
 } // namespace
 
+bool RankEvidence::is_silent() const {
+    return adjusted_p_value > kSignificance &&
+           (!ks_adjusted_p_value || *ks_adjusted_p_value > kSignificance);
+}
+
+AnchoredCell find_anchored_cell(RoundSeries& series, const RoundRecord& round,
+                                const CellRecord& cell) {
+    const auto find_role = [&](CellRole role) -> const CellSeries& {
+        const auto found =
+            std::find_if(round.cells.begin(), round.cells.end(),
+                         [&](const CellRecord& other) { return other.role == role; });
+        static const CellSeries kNone;
+        return found == round.cells.end() ? kNone : series.cells[found->id];
+    };
+    const CellSeries& anchor = find_role(CellRole::anchor);
+    const std::optional<Estimate> aa_ratio =
+        estimate_ratio(find_role(CellRole::anchor_repeat).envelope, anchor.envelope);
+    return {series.cells[cell.id], anchor,
+            aa_ratio ? compute_minimum_detectable_effect(*aa_ratio) : 0.0};
+}
+
 std::optional<TimeComparison> compare_times(const AnchoredCell& base, const AnchoredCell& next,
                                             const ComparisonOptions& options) {
     const Repeats base_logs = compute_log_ratios(base.cell.envelope, base.anchor.envelope);
@@ -142,6 +183,7 @@ std::optional<TimeComparison> compare_times(const AnchoredCell& base, const Anch
     time.next = exponentiate(*estimate(next_logs));
     time.change = exponentiate(difference->estimate);
     time.p_value = difference->p_value;
+    time.ranks = difference->ranks;
     time.detectable = std::max(base.detectable, next.detectable);
     time.margin = std::max(options.margin, time.detectable);
     return time;
@@ -169,6 +211,11 @@ void judge_times(const std::vector<TimeComparison*>& times) {
             time.verdict = Verdict::better;
         } else if (change.lower >= lower && change.upper <= upper) {
             time.verdict = Verdict::same;
+        }
+        const bool is_change = time.verdict == Verdict::worse || time.verdict == Verdict::better;
+        if (is_change && time.ranks && time.ranks->is_silent()) {
+            time.verdict = Verdict::unknown;
+            time.is_taken_back = true;
         }
     }
 }

@@ -14,13 +14,18 @@ struct AnchoredCell {
     double detectable = 0.0;
 };
 
+/// A cell with its round's anchor; empty series where there are no rows. `series` must outlive it.
+[[nodiscard]] AnchoredCell find_anchored_cell(RoundSeries& series, const RoundRecord& round,
+                                              const CellRecord& cell);
+
 /// Everything but the verdict and the adjusted p-value; nothing if either has no ratio.
 [[nodiscard]] std::optional<TimeComparison>
 compare_times(const AnchoredCell& base, const AnchoredCell& next, const ComparisonOptions& options);
 
 /// Adjusts the p-values of all times of a comparison and gives the verdicts: worse if the test
 /// rejects at 5 % and the interval lies above 1 + margin, better likewise below 1 / (1 + margin),
-/// same if the interval lies between the two.
+/// same if the interval lies between the two. Where the tests by ranks are silent, better and worse
+/// become unknown. A time without interval stays unknown.
 void judge_times(const std::vector<TimeComparison*>& times);
 
 /// A pass, an "input/..." or kConvergedPart of one cell, in units of its anchor.

@@ -40,6 +40,27 @@ std::string format_difference(const Estimate& difference, const char* units) {
     return fmt::format("{}{} ({} {})", format_signed(difference.value), range, difference.n, units);
 }
 
+std::string join(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) {
+        text += (text.empty() ? "" : ", ") + part;
+    }
+    return text;
+}
+
+std::string format_p_value(double p_value) {
+    return p_value < 1e-4 ? "< 0.0001" : format_rounded(p_value, 2);
+}
+
+/// "MW 0.0043, KS 0.0043"
+std::string describe_ranks(const RankEvidence& ranks) {
+    if (!ranks.ks_adjusted_p_value) {
+        return "W " + format_p_value(ranks.adjusted_p_value);
+    }
+    return "MW " + format_p_value(ranks.adjusted_p_value) + ", KS " +
+           format_p_value(*ranks.ks_adjusted_p_value);
+}
+
 ComparisonRow make_time_row(const CellComparison& cell) {
     const TimeComparison& time = *cell.time;
     ComparisonRow row;
@@ -50,15 +71,25 @@ ComparisonRow make_time_row(const CellComparison& cell) {
     row.next = describe_estimate(time.next);
     row.change = format_time_change(time);
     row.margin = format_percent(time.margin);
+    std::vector<std::string> notes;
     if (time.adjusted_p_value) {
-        row.note = *time.adjusted_p_value < 1e-4 ? "p < 0.0001"
-                                                 : "p " + format_rounded(*time.adjusted_p_value, 2);
+        row.p_holm = format_p_value(*time.adjusted_p_value);
     } else {
-        row.note = "under 5 repeats: no interval";
+        notes.emplace_back("under 5 repeats: no interval");
+    }
+    if (time.discovery_p_value) {
+        row.p_bh = format_p_value(*time.discovery_p_value);
+    }
+    if (time.ranks) {
+        row.ranks = describe_ranks(*time.ranks);
+    }
+    if (time.is_taken_back) {
+        notes.emplace_back("taken back: the tests by ranks see nothing");
     }
     if (time.margin == time.detectable && time.detectable > 0.0) {
-        row.note += ", margin is the A/A noise";
+        notes.emplace_back("margin is the A/A noise");
     }
+    row.note = join(notes);
     return row;
 }
 
@@ -78,6 +109,9 @@ ComparisonRow make_quality_row(const CellComparison& cell, const QualityComparis
     row.next = format_rounded(quality.next);
     row.change =
         format_difference(quality.difference, quality.is_by_segment ? "segments" : "frames");
+    if (quality.discovery_p_value) {
+        row.p_bh = format_p_value(*quality.discovery_p_value);
+    }
     if (quality.verdict) {
         row.margin =
             format_rounded(quality.margin, 2) + (quality.is_margin_floor ? " (floor)" : " (1 %)");
@@ -101,14 +135,6 @@ ComparisonRow make_part_row(const CellComparison& cell, const PartComparison& pa
 
 int rank(const ComparisonRow& row) {
     return static_cast<int>(*row.verdict);
-}
-
-std::string join(const std::vector<std::string>& parts) {
-    std::string text;
-    for (const std::string& part : parts) {
-        text += (text.empty() ? "" : ", ") + part;
-    }
-    return text;
 }
 
 std::string describe_changed(const CellComparison& cell) {
@@ -137,6 +163,20 @@ std::string describe_changed(const CellComparison& cell) {
 }
 
 } // namespace
+
+std::string describe_evidence(const ComparisonRow& row) {
+    std::vector<std::string> parts;
+    const auto add = [&](const char* name, const std::string& value) {
+        if (!value.empty()) {
+            parts.push_back(name + value);
+        }
+    };
+    add("p ", row.p_holm);
+    add("", row.ranks);
+    add("BH ", row.p_bh);
+    add("", row.note);
+    return join(parts);
+}
 
 std::vector<ComparisonRow> list_verdicts(const Comparison& comparison) {
     std::vector<ComparisonRow> rows;
@@ -179,6 +219,16 @@ std::string summarize_verdicts(const Comparison& comparison) {
                             to_text(verdict));
     }
     return text;
+}
+
+std::string describe_discoveries(const Comparison& comparison) {
+    const Discoveries count = comparison.count_discoveries();
+    return fmt::format("discoveries among {} comparisons at a false share of {} "
+                       "(Benjamini-Hochberg; decides nothing): {} of {} times, {} of {} metrics "
+                       "over segments, {} of {} over frames, which resemble their neighbours",
+                       count.tested(), format_percent(kFalseDiscoveryRate), count.times,
+                       count.all_times, count.by_segment, count.all_by_segment, count.by_frame,
+                       count.all_by_frame);
 }
 
 std::vector<std::string> describe_images(const Comparison& comparison) {
@@ -230,6 +280,10 @@ std::vector<std::string> describe_method(const Comparison& comparison) {
                     "same: the interval inside it. Margin: {} or what the A/A pairs resolve.",
                     paired ? "repeats paired (taken in turns)" : "Welch across repeats",
                     format_percent(comparison.options.margin)),
+        paired ? "W: Wilcoxon's signed ranks of the pairs. Above 0.05, better and worse are taken "
+                 "back to unknown: under 6 pairs always."
+               : "MW: Mann-Whitney, KS: Kolmogorov-Smirnov, after Holm over the two. With both "
+                 "above 0.05, better and worse are taken back to unknown.",
         "Metrics: mean difference NEW - BASE on the same frames; the interval is spread over "
         "content, not noise: images are deterministic. Margin: 1 % of BASE or the reference's "
         "floor, the larger.",

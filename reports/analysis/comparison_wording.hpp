@@ -17,8 +17,14 @@ struct ComparisonRow {
     std::string next;
     std::string change;
     std::string margin; ///< "within 2 %"; empty without verdict
+    std::string p_holm; ///< "0.012"; empty where there is none, as the next two
+    std::string p_bh;
+    std::string ranks; ///< "MW 0.0043, KS 0.0043"
     std::string note;
 };
+
+/// "p 0.012, MW 0.0043, KS 0.0043, BH 0.02", with the note: for tables without room for columns.
+[[nodiscard]] std::string describe_evidence(const ComparisonRow& row);
 
 /// Times and metrics, worst first.
 [[nodiscard]] std::vector<ComparisonRow> list_verdicts(const Comparison& comparison);
@@ -27,6 +33,8 @@ struct ComparisonRow {
 
 /// "3 worse, 1 unknown, 0 better, 20 same".
 [[nodiscard]] std::string summarize_verdicts(const Comparison& comparison);
+/// "discoveries among 40 comparisons ...: 2 of 8 times, ..."
+[[nodiscard]] std::string describe_discoveries(const Comparison& comparison);
 /// One line a cell whose images differ, or one that says that all are identical.
 [[nodiscard]] std::vector<std::string> describe_images(const Comparison& comparison);
 /// "tssao: same label, other settings: samples 16 -> 32".

@@ -104,6 +104,48 @@ std::string describe_noise(const RoundAnalysis& round) {
                        format_percent(*round.minimum_detectable_effect));
 }
 
+std::string describe_repeats(const RunAnalysis& analysis, const RoundAnalysis& round) {
+    const RepeatsRecord& repeats = round.done.repeats;
+    if (repeats.reason == StopReason::planned) {
+        return {};
+    }
+    std::string text = fmt::format("{} repeats: ", repeats.taken);
+    if (repeats.reason == StopReason::time) {
+        text += fmt::format("the time limit of {} s was up; ",
+                            format_rounded(analysis.plan.time_limit_s));
+    } else if (repeats.reason == StopReason::most) {
+        text += "no more are allowed; ";
+    }
+    const auto cell =
+        std::find_if(round.cells.begin(), round.cells.end(), [&](const CellAnalysis& other) {
+            return other.cell.id == repeats.widest_cell;
+        });
+    text += repeats.widest
+                ? fmt::format("the widest interval is +-{} ({})", format_percent(*repeats.widest),
+                              cell == round.cells.end() ? repeats.widest_cell : cell->cell.label)
+                : "too few for intervals";
+    return text + fmt::format(", asked for +-{}", format_percent(analysis.plan.until_width));
+}
+
+std::string describe_outliers(const RoundAnalysis& round) {
+    std::string text;
+    for (const CellAnalysis& cell : round.cells) {
+        if (!cell.outliers || !cell.outliers->any()) {
+            continue;
+        }
+        text +=
+            fmt::format("{} {}", text.empty() ? "outlying repeats, kept:" : ",", cell.cell.label);
+        if (cell.outliers->severe > 0) {
+            text += fmt::format(" {} severe", cell.outliers->severe);
+        }
+        if (cell.outliers->mild > 0) {
+            text += fmt::format(" {} mild", cell.outliers->mild);
+        }
+        text += fmt::format(" of {}", cell.outliers->n);
+    }
+    return text;
+}
+
 std::string describe_floor(const RoundAnalysis& round) {
     if (!round.reference_floor) {
         return "no reference floor";

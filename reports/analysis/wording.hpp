@@ -38,6 +38,11 @@ inline constexpr std::string_view kFlickerMetric = "temporal_flicker";
 [[nodiscard]] std::string describe_timer(const RunAnalysis& analysis);
 /// "A/A 1.000 [0.999, 1.001] (n=6): effects under 0.2 % cannot be told from noise".
 [[nodiscard]] std::string describe_noise(const RoundAnalysis& round);
+/// "24 repeats: the widest interval is +- 0.8 % (tssao), asked for +- 1 %"; empty where their
+/// number was planned.
+[[nodiscard]] std::string describe_repeats(const RunAnalysis& analysis, const RoundAnalysis& round);
+/// "outlying repeats, kept: tssao 1 mild of 6"; empty where there is none.
+[[nodiscard]] std::string describe_outliers(const RoundAnalysis& round);
 /// "reference floor 0.0040 rmse, 9 % of the smallest error".
 [[nodiscard]] std::string describe_floor(const RoundAnalysis& round);
 

@@ -9,11 +9,12 @@ namespace {
 using Fields = std::vector<std::string>;
 
 const Fields kColumns = {
-    "scene",          "walkthrough", "width",      "height", "target",         "label",
-    "method",         "base_round",  "next_round", "kind",   "name",           "column",
-    "verdict",        "base",        "next",       "change", "change_unit",    "change_lower95",
-    "change_upper95", "change_min",  "change_max", "n",      "unit",           "margin",
-    "p_value",        "p_holm",      "cached",     "images", "images_changed", "note"};
+    "scene",          "walkthrough", "width",      "height",    "target",         "label",
+    "method",         "base_round",  "next_round", "kind",      "name",           "column",
+    "verdict",        "base",        "next",       "change",    "change_unit",    "change_lower95",
+    "change_upper95", "change_min",  "change_max", "n",         "unit",           "margin",
+    "p_value",        "p_holm",      "p_bh",       "rank_test", "p_rank",         "p_rank_holm",
+    "p_ks",           "p_ks_holm",   "cached",     "images",    "images_changed", "note"};
 
 /// What differs between the kinds of lines.
 struct Line {
@@ -29,6 +30,8 @@ struct Line {
     std::optional<double> margin;
     std::optional<double> p_value;
     std::optional<double> p_holm;
+    std::optional<double> p_bh;
+    std::optional<RankEvidence> ranks;
     bool is_cached = false;
     std::string note;
 };
@@ -45,6 +48,9 @@ void append_line(std::string& text, const CellComparison& cell, const Line& line
     };
     const auto part = [&](double Estimate::*member) {
         return line.change ? format_number((*line.change).*member) : std::string();
+    };
+    const auto rank = [&](double RankEvidence::*member) {
+        return line.ranks ? format_number((*line.ranks).*member) : std::string();
     };
     append_csv_line(text, {cell.round.scene,
                            cell.round.walkthrough,
@@ -72,6 +78,12 @@ void append_line(std::string& text, const CellComparison& cell, const Line& line
                            format(line.margin),
                            format(line.p_value),
                            format(line.p_holm),
+                           format(line.p_bh),
+                           line.ranks ? line.ranks->test : std::string(),
+                           rank(&RankEvidence::p_value),
+                           rank(&RankEvidence::adjusted_p_value),
+                           line.ranks ? format(line.ranks->ks_p_value) : std::string(),
+                           line.ranks ? format(line.ranks->ks_adjusted_p_value) : std::string(),
                            line.is_cached ? "1" : "0",
                            std::to_string(cell.images.images),
                            std::to_string(cell.images.changed),
@@ -92,6 +104,9 @@ Line make_time_line(const TimeComparison& time) {
     line.margin = time.margin;
     line.p_value = time.p_value;
     line.p_holm = time.adjusted_p_value;
+    line.p_bh = time.discovery_p_value;
+    line.ranks = time.ranks;
+    line.note = time.is_taken_back ? "taken back: the tests by ranks see nothing" : "";
     return line;
 }
 
@@ -125,6 +140,8 @@ Line make_quality_line(const QualityComparison& quality) {
         line.next = quality.next;
         line.change = quality.difference;
         line.margin = quality.margin;
+        line.p_value = quality.p_value;
+        line.p_bh = quality.discovery_p_value;
     }
     return line;
 }

@@ -16,7 +16,38 @@ class SummaryTable : public CsvTable {
             percentiles ? std::optional<double>(percentiles->p50_ms) : std::nullopt);
         add(name + "_p95_ms",
             percentiles ? std::optional<double>(percentiles->p95_ms) : std::nullopt);
+        add(name + "_p99_ms",
+            percentiles ? std::optional<double>(percentiles->p99_ms) : std::nullopt);
         add_count(name + "_n", percentiles ? percentiles->n : 0);
+    }
+
+    void add_slow_frames(const std::optional<SlowFrames>& slow) {
+        add("content_slowest_1_percent_mean_ms",
+            slow ? std::optional(slow->slowest_mean) : std::nullopt);
+        add("content_time_integral_1_percent_ms",
+            slow ? std::optional(slow->time_integral) : std::nullopt);
+    }
+
+    void add_outliers(const std::optional<OutlierCount>& outliers) {
+        add_count("outliers_mild", outliers ? outliers->mild : 0);
+        add_count("outliers_severe", outliers ? outliers->severe : 0);
+        add_count("outliers_n", outliers ? outliers->n : 0);
+    }
+
+    void add_machine(const Fitness& machine) {
+        add("machine", std::string(to_text(machine.verdict)));
+        std::string reasons;
+        for (const std::string& reason : machine.reasons) {
+            reasons += (reasons.empty() ? "" : "; ") + reason;
+        }
+        add("machine_reasons", reasons);
+        add("machine_others_share", machine.others_share);
+        add("machine_steal_share", machine.steal_share);
+        add("machine_load", machine.load);
+        add("machine_switches_per_s", machine.switches_per_s);
+        add("machine_clock_mhz", machine.clock_mhz);
+        add("machine_clock_spread", machine.clock_spread);
+        add("machine_memory", machine.memory);
     }
 
     void add_error(const std::string& name, const MetricAnalysis* error) {
@@ -101,7 +132,13 @@ void add_line(SummaryTable& table, const RunAnalysis& analysis, const RoundAnaly
     table.add_estimate("total_ms", cell.total_ms);
     table.add_estimate("coverage", cell.coverage);
     table.add_percentiles("content", cell.content);
+    table.add_slow_frames(cell.slow_frames);
     table.add_percentiles("noise", cell.noise);
+    table.add_outliers(cell.outliers);
+    table.add("lag1", cell.lag1);
+    table.add_machine(round.machine);
+    table.add("stop_reason", std::string(to_text(round.done.repeats.reason)));
+    table.add("widest_half_width", round.done.repeats.widest);
     table.add("minimum_detectable_effect", round.minimum_detectable_effect);
     table.add("front_metric", round.front_metric);
     table.add_flag("on_front", cell.is_on_front);

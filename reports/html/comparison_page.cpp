@@ -24,10 +24,12 @@ std::string make_row(const ComparisonRow& row) {
     return fmt::format(
         "<tr><td class=\"text\"><span class=\"{}\">{}</span></td><th scope=\"row\" "
         "class=\"name\">{}</th><td class=\"text\">{}</td><td class=\"text\">{}</td><td>{}</td>"
-        "<td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td></tr>\n",
+        "<td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"text\">{}</td>"
+        "<td class=\"text\">{}</td></tr>\n",
         row.verdict ? mark : "", verdict, escape_html(row.cell->base.label),
         escape_html(row.cell->round.scene), escape_html(row.what), escape_html(row.base),
         escape_html(row.next), escape_html(row.change), escape_html(row.margin),
+        escape_html(row.p_holm), escape_html(row.p_bh), escape_html(row.ranks),
         escape_html(row.note));
 }
 
@@ -35,7 +37,8 @@ std::string make_table(const std::vector<ComparisonRow>& rows) {
     std::string text =
         "<div class=\"scroll\"><table><thead><tr><th class=\"text\">Verdict</th><th "
         "class=\"name\">Method</th><th class=\"text\">Scene</th><th class=\"text\">What</th>"
-        "<th>BASE</th><th>NEW</th><th>Change</th><th>Margin</th><th></th></tr></thead><tbody>\n";
+        "<th>BASE</th><th>NEW</th><th>Change</th><th>Margin</th><th>p (Holm)</th><th>p (BH)</th>"
+        "<th class=\"text\">By ranks</th><th></th></tr></thead><tbody>\n";
     for (const ComparisonRow& row : rows) {
         text += make_row(row);
     }
@@ -117,6 +120,7 @@ std::string make_comparison_page(const Comparison& comparison,
     how.insert(how.end(), method.begin(), method.end());
     return make_page_head("comparison", {.shows_pictures = true}) + make_header(comparison) +
            "<main>\n<section><h2>Verdicts</h2>\n" + make_table(list_verdicts(comparison)) +
+           "<p class=\"note\">" + escape_html(describe_discoveries(comparison)) + ".</p>\n" +
            "</section>\n" + make_list("Images", describe_images(comparison)) +
            make_pictures(comparison, folder) +
            make_list("Settings", describe_settings(comparison)) +

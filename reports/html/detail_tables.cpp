@@ -136,15 +136,23 @@ std::string make_spread_table(const RunAnalysis& analysis, const RoundAnalysis& 
     std::string rows;
     for (std::size_t i = 0; i < round.cells.size(); ++i) {
         const CellAnalysis& cell = round.cells[i];
-        if (!cell.content || !cell.noise) {
+        if (!cell.content || !cell.noise || !cell.slow_frames) {
             continue;
         }
         rows += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", make_label(cell, i));
-        for (const Percentiles* spread : {&*cell.content, &*cell.noise}) {
-            rows +=
-                fmt::format("<td>{}</td><td>{}</td><td>{}</td>", format_rounded(spread->p50_ms, 4),
-                            format_rounded(spread->p95_ms, 4), spread->n);
+        for (const double time_ms :
+             {cell.content->p50_ms, cell.content->p95_ms, cell.content->p99_ms,
+              cell.slow_frames->slowest_mean, cell.slow_frames->time_integral}) {
+            rows += fmt::format("<td>{}</td>", format_rounded(time_ms, 4));
         }
+        rows += fmt::format("<td>{}</td>", cell.content->n);
+        for (const double time_ms : {cell.noise->p50_ms, cell.noise->p95_ms, cell.noise->p99_ms}) {
+            rows += fmt::format("<td>{}</td>", format_rounded(time_ms, 4));
+        }
+        rows += cell.outliers ? fmt::format("<td>{} mild, {} severe</td>", cell.outliers->mild,
+                                            cell.outliers->severe)
+                              : "<td class=\"absent\">&ndash;</td>";
+        rows += fmt::format("<td>{}</td>", cell.noise->n);
         rows += make_estimate_cell(cell.compose_ms) + "</tr>\n";
     }
     return fmt::format(
@@ -152,14 +160,23 @@ std::string make_spread_table(const RunAnalysis& analysis, const RoundAnalysis& 
         "repeats, what the "
         "walkthrough asks. <i>Noise</i>: percentiles over repeats of each repeat's median over "
         "frames, what the "
-        "machine adds; drift that all methods share falls out of the ratios. All in ms "
+        "machine adds; drift that all methods share falls out of the ratios. <i>Slowest 1 % of the "
+        "time</i>: "
+        "slowest frames first, until they have taken 1 % of the total; the time of the last. Of "
+        "fewer "
+        "than 150 frames both are about the slowest one. <i>Outliers</i>: repeats beyond 1.5 "
+        "(mild) "
+        "or 3 (severe) interquartile ranges from the quartiles, counted and kept. All in ms "
         "<em>{}</em>.</p>\n"
         "<div class=\"scroll\"><table><thead><tr><th rowspan=\"2\" class=\"name\">Method</th><th "
-        "colspan=\"3\" "
-        "class=\"group\">Content</th><th colspan=\"3\" class=\"group\">Noise</th><th "
-        "rowspan=\"2\">Composition</th></tr><tr><th class=\"first\">p50</th><th>p95</th><th>n "
+        "colspan=\"6\" "
+        "class=\"group\">Content</th><th colspan=\"5\" class=\"group\">Noise</th><th "
+        "rowspan=\"2\">Composition</th></tr><tr><th "
+        "class=\"first\">p50</th><th>p95</th><th>p99</th>"
+        "<th>Slowest 1 %<small>mean</small></th><th>Slowest 1 %<small>of the "
+        "time</small></th><th>n "
         "frames</th><th "
-        "class=\"first\">p50</th><th>p95</th><th>n "
+        "class=\"first\">p50</th><th>p95</th><th>p99</th><th>Outliers</th><th>n "
         "repeats</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         escape_html(analysis.context.device_class), rows);
 }

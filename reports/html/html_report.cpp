@@ -33,7 +33,11 @@ std::string make_fitness(const RunAnalysis& analysis) {
     std::string floor = "none";
     std::string floor_note = "no finished round has a floor yet";
     double worst = 0.0;
+    const Fitness* machine = nullptr;
     for (const RoundAnalysis& round : analysis.rounds) {
+        if (machine == nullptr || round.machine.verdict > machine->verdict) {
+            machine = &round.machine;
+        }
         if (round.minimum_detectable_effect) {
             noise = std::max(noise.value_or(0.0), *round.minimum_detectable_effect);
         }
@@ -49,6 +53,11 @@ std::string make_fitness(const RunAnalysis& analysis) {
            make_tile("Timer", analysis.is_timer_validated ? "validated" : "fenced wall time",
                      fmt::format("{}, tick {} ns", context.timer_mode,
                                  format_rounded(context.timer_tick_ns))) +
+           make_tile(
+               "Machine", machine != nullptr ? std::string(to_text(machine->verdict)) : "unknown",
+               machine == nullptr         ? "no round is finished yet"
+               : machine->reasons.empty() ? "other processes, guests and the clock left it alone"
+                                          : "worst round: " + machine->reasons.front()) +
            make_tile("Noise", noise ? format_percent(*noise) : "unknown",
                      "smallest time difference told from noise (A/A, worst round)") +
            make_tile("Reference floor", floor, floor_note) + "</div>\n";

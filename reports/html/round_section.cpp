@@ -13,7 +13,7 @@
 namespace alcove {
 namespace {
 
-std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) {
+std::string make_facts(const RoundAnalysis& round) {
     const RoundRecord& record = round.round;
     std::size_t bursts = 0;
     std::size_t frames = 0;
@@ -32,7 +32,8 @@ std::string make_facts(const RunAnalysis& analysis, const RoundAnalysis& round) 
         "<div><dt>Precision</dt><dd>{}</dd></div></dl>\n",
         escape_html(record.walkthrough), record.width, record.height, escape_html(record.target),
         escape_html(record.reference.label), frames, bursts, record.segments.size() - bursts,
-        analysis.plan.repeats, record.warm ? ", histories converged on the first pose of each" : "",
+        round.done.repeats.taken,
+        record.warm ? ", histories converged on the first pose of each" : "",
         record.scene_triangles, format_rounded(record.ao_radius_m), escape_html(record.precision));
 }
 
@@ -101,10 +102,12 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
     text += fmt::format("<p class=\"verdict\">{}</p>\n<p class=\"fitness\">{}; {}.</p>\n",
                         escape_html(describe_verdict(round)), escape_html(describe_noise(round)),
                         escape_html(describe_floor(round)));
-    if (const std::string effects = describe_effects(round); !effects.empty()) {
-        text += fmt::format("<p class=\"fitness\">{}</p>\n", escape_html(effects));
+    for (const std::string& line :
+         {describe_fitness(round.machine), describe_repeats(analysis, round),
+          describe_outliers(round), describe_effects(round)}) {
+        text += line.empty() ? "" : fmt::format("<p class=\"fitness\">{}</p>\n", escape_html(line));
     }
-    text += make_facts(analysis, round) + make_summary_table(analysis, round) + make_charts(round);
+    text += make_facts(round) + make_summary_table(analysis, round) + make_charts(round);
     if (!round.round.image_frames.empty()) {
         text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",
                             round.round.id);

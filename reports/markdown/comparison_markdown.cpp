@@ -12,17 +12,19 @@ namespace {
 
 std::string make_row(const ComparisonRow& row) {
     const std::string verdict = row.verdict ? std::string(to_text(*row.verdict)) : "";
-    return fmt::format(
-        "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-        row.verdict == Verdict::worse ? "**" + verdict + "**" : verdict,
-        escape_markdown(row.cell->base.label), escape_markdown(row.cell->round.scene),
-        escape_markdown(row.what), escape_markdown(row.base), escape_markdown(row.next),
-        escape_markdown(row.change), escape_markdown(row.margin), escape_markdown(row.note));
+    return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+                       row.verdict == Verdict::worse ? "**" + verdict + "**" : verdict,
+                       escape_markdown(row.cell->base.label),
+                       escape_markdown(row.cell->round.scene), escape_markdown(row.what),
+                       escape_markdown(row.base), escape_markdown(row.next),
+                       escape_markdown(row.change), escape_markdown(row.margin),
+                       escape_markdown(describe_evidence(row)));
 }
 
 std::string make_table(const std::vector<ComparisonRow>& rows) {
-    std::string text = "| verdict | method | scene | what | BASE | NEW | change | margin | |\n"
-                       "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
+    std::string text =
+        "| verdict | method | scene | what | BASE | NEW | change | margin | evidence |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const ComparisonRow& row : rows) {
         text += make_row(row);
     }
@@ -54,6 +56,7 @@ std::string make_comparison_markdown(const Comparison& comparison) {
         fmt::format("### Alcove: {}\n\nBASE {}, NEW {}\n\n", summarize_verdicts(comparison),
                     escape_markdown(comparison.base.name), escape_markdown(comparison.next.name));
     text += changed.empty() ? "Nothing changed beyond its margin.\n" : make_table(changed);
+    text += "\n" + escape_markdown(describe_discoveries(comparison)) + ".\n";
     text += "\nImages:\n\n" + make_list(describe_images(comparison));
     if (const auto settings = describe_settings(comparison); !settings.empty()) {
         text += "\nSettings:\n\n" + make_list(settings);

@@ -88,6 +88,24 @@ std::string_view to_text(SampleState state) {
     return state == SampleState::cold ? "cold" : "converged";
 }
 
+std::string_view to_text(StopReason reason) {
+    switch (reason) {
+    case StopReason::width:
+        return "width";
+    case StopReason::time:
+        return "time";
+    case StopReason::most:
+        return "most";
+    case StopReason::planned:
+        break;
+    }
+    return "planned";
+}
+
+int PlanRecord::limit_repeats() const {
+    return until_width > 0.0 ? std::max(repeats, most_repeats) : repeats;
+}
+
 RunFolder::RunFolder(fs::path path, ContextRecord context, PlanRecord plan)
     : m_path(std::move(path)), m_context(std::move(context)), m_plan(std::move(plan)) {}
 
@@ -139,7 +157,8 @@ void RunFolder::finish_round(const std::string& round_id, const std::vector<Samp
     const std::string samples_text = make_samples_csv(samples);
     const std::string metrics_text = make_metrics_csv(metrics);
     // A row that no reader would take must not be published.
-    static_cast<void>(parse_samples_csv(samples_text, "samples.csv", round, m_plan.repeats));
+    static_cast<void>(
+        parse_samples_csv(samples_text, "samples.csv", round, m_plan.limit_repeats()));
     static_cast<void>(parse_metrics_csv(metrics_text, "metrics.csv", round));
 
     remove_stray_folders(m_path);
@@ -165,7 +184,7 @@ std::vector<SampleRow> RunFolder::read_samples() const {
         if (is_finished(round.id)) {
             const fs::path file = round_folder(m_path, round.id) / "samples.csv";
             std::vector<SampleRow> part =
-                parse_samples_csv(read_file(file), file.string(), round, m_plan.repeats);
+                parse_samples_csv(read_file(file), file.string(), round, m_plan.limit_repeats());
             std::move(part.begin(), part.end(), std::back_inserter(rows));
         }
     }

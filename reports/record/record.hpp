@@ -187,7 +187,11 @@ struct PlanRecord {
     std::string experiment; ///< "default", "quick", "command-line"
     std::string title;      ///< for people; may be empty
     std::string command_line;
-    int repeats = 0;
+    int repeats = 0; ///< timing replays of a round; the fewest, if until_width is given
+    /// Repeats go on until every interval is this narrow (relative half-width); 0: they do not.
+    double until_width = 0.0;
+    double time_limit_s = 0.0; ///< of a round's timing replays; 0: none
+    int most_repeats = 0;      ///< where until_width is given
     std::uint64_t shuffle_seed = 0;
     int reference_rays_per_half = 0;
     bool explains_errors = false; ///< RoundDone::steps and curves are measured
@@ -198,6 +202,9 @@ struct PlanRecord {
     std::vector<MethodDescription> methods;
     std::vector<MetricDescription> metrics;
     std::vector<SceneDescription> scenes;
+
+    /// No round has more repeats.
+    [[nodiscard]] int limit_repeats() const;
 };
 
 /// One line of `alcove doctor`'s timer table.
@@ -289,6 +296,30 @@ struct CurveRecord {
     std::vector<double> curved;     ///< what it makes of them
 };
 
+/// What else the machine did during one timing replay. Empty where the system does not say.
+struct MachineRecord {
+    double wall_s = 0.0;
+    std::optional<double> load;           ///< runnable threads, 1-minute average, ours included
+    std::optional<double> others_share;   ///< of all processors' time, taken by other processes
+    std::optional<double> steal_share;    ///< of all processors' time, taken by other guests
+    std::optional<double> switches_per_s; ///< involuntary context switches of our threads
+    std::optional<double> clock_mhz;      ///< mean over processors, at the replay's end
+};
+
+/// Why a round's timing replays ended.
+enum class StopReason { planned, width, time, most };
+[[nodiscard]] std::string_view to_text(StopReason reason);
+
+/// How a round came by its number of repeats.
+struct RepeatsRecord {
+    int taken = 0;
+    StopReason reason = StopReason::planned;
+    /// Largest relative half-width of a ratio's 95 % interval when it ended, and whose; empty under
+    /// 5 repeats.
+    std::optional<double> widest;
+    std::string widest_cell; ///< a cell's id
+};
+
 /// A round's closing note, beside its two CSVs.
 struct RoundDone {
     double wall_s = 0.0;
@@ -310,6 +341,8 @@ struct RoundDone {
     std::vector<ThicknessRecord> thicknesses;
     std::vector<StepRecord> steps;
     std::vector<CurveRecord> curves;
+    RepeatsRecord repeats;
+    std::vector<MachineRecord> machine; ///< one a timing replay
 };
 
 /// A run folder on disk.

@@ -130,6 +130,9 @@ void visit(V& v, PlanRecord& r) {
     v("title", r.title);
     v("command_line", r.command_line);
     v("repeats", r.repeats);
+    v("until_width", r.until_width);
+    v("time_limit_s", r.time_limit_s);
+    v("most_repeats", r.most_repeats);
     v("shuffle_seed", r.shuffle_seed);
     v("reference_rays_per_half", r.reference_rays_per_half);
     v("explains_errors", r.explains_errors);
@@ -226,6 +229,24 @@ void visit(V& v, CurveRecord& r) {
 }
 
 template <class V>
+void visit(V& v, MachineRecord& r) {
+    v("wall_s", r.wall_s);
+    v("load", r.load);
+    v("others_share", r.others_share);
+    v("steal_share", r.steal_share);
+    v("switches_per_s", r.switches_per_s);
+    v("clock_mhz", r.clock_mhz);
+}
+
+template <class V>
+void visit(V& v, RepeatsRecord& r) {
+    v("taken", r.taken);
+    v("reason", r.reason);
+    v("widest", r.widest);
+    v("widest_cell", r.widest_cell);
+}
+
+template <class V>
 void visit(V& v, DoneFile& r) {
     v("schema_version", r.schema_version);
     v("wall_s", r.done.wall_s);
@@ -247,6 +268,8 @@ void visit(V& v, DoneFile& r) {
     v("thicknesses", r.done.thicknesses);
     v("steps", r.done.steps);
     v("curves", r.done.curves);
+    v("repeats", r.done.repeats);
+    v("machine", r.done.machine);
 }
 
 } // namespace alcove::record_fields

@@ -22,12 +22,21 @@ using Json = nlohmann::ordered_json;
 using record_fields::DoneFile;
 
 constexpr std::array<std::string_view, 3> kRoleNames{"method", "anchor", "anchor_repeat"};
+constexpr std::array kStopReasons{StopReason::planned, StopReason::width, StopReason::time,
+                                  StopReason::most};
 constexpr std::array kOutcomes{StabilityOutcome::holds, StabilityOutcome::holds_up_to,
                                StabilityOutcome::fails, StabilityOutcome::not_applicable};
 
 /// Names of an enumeration's values, in their order.
 std::vector<std::string_view> list_names(CellRole) {
     return {kRoleNames.begin(), kRoleNames.end()};
+}
+std::vector<std::string_view> list_names(StopReason) {
+    std::vector<std::string_view> names;
+    for (const StopReason reason : kStopReasons) {
+        names.push_back(to_text(reason));
+    }
+    return names;
 }
 std::vector<std::string_view> list_names(StabilityOutcome) {
     std::vector<std::string_view> names;
@@ -80,6 +89,7 @@ class Writer {
             return std::move(writer.m_object);
         }
     }
+    static Json make(std::optional<double>& value) { return value ? make(*value) : Json(nullptr); }
     template <class T>
     static Json make(std::vector<T>& values) {
         Json array = Json::array();
@@ -173,6 +183,13 @@ class Reader {
             Reader reader(json, m_file, path + ".");
             record_fields::visit(reader, value);
             reader.finish();
+        }
+    }
+    void take(const Json& json, std::optional<double>& value, const std::string& path) {
+        if (json.is_null()) {
+            value.reset();
+        } else {
+            take(json, value.emplace(), path);
         }
     }
     template <class T>
@@ -344,8 +361,9 @@ ContextRecord parse_context_json(std::string_view text, std::string_view file) {
 
 PlanRecord parse_plan_json(std::string_view text, std::string_view file) {
     PlanRecord plan = read_record<PlanRecord>(text, file);
-    if (plan.repeats > kMaximumRepeats) {
-        throw InputError(std::string(file) + ": repeats", "too many", std::to_string(plan.repeats),
+    if (plan.limit_repeats() > kMaximumRepeats) {
+        throw InputError(std::string(file) + ": repeats", "too many",
+                         std::to_string(plan.limit_repeats()),
                          "at most " + std::to_string(kMaximumRepeats));
     }
     std::set<std::string> rounds;
@@ -380,7 +398,13 @@ TuneRecord parse_tune_json(std::string_view text, std::string_view file) {
 }
 
 RoundDone parse_done_json(std::string_view text, std::string_view file) {
-    return read_record<DoneFile>(text, file).done;
+    RoundDone done = read_record<DoneFile>(text, file).done;
+    if (done.machine.size() > static_cast<std::size_t>(kMaximumRepeats)) {
+        throw InputError(std::string(file) + ": machine", "too many",
+                         std::to_string(done.machine.size()),
+                         "at most " + std::to_string(kMaximumRepeats));
+    }
+    return done;
 }
 
 } // namespace alcove

@@ -24,7 +24,7 @@ bool is_time(const ComparisonRow& row) {
 
 std::string make_comparison_table(const Comparison& comparison) {
     TextLines lines = {
-        {"verdict", "method", "scene", "what", "BASE", "NEW", "change", "margin", ""}};
+        {"verdict", "method", "scene", "what", "BASE", "NEW", "change", "margin", "evidence"}};
     std::size_t left_out = 0;
     for (const ComparisonRow& row : list_verdicts(comparison)) {
         if (row.verdict == Verdict::same && !is_time(row)) {
@@ -33,7 +33,7 @@ std::string make_comparison_table(const Comparison& comparison) {
         }
         lines.push_back({std::string(to_text(*row.verdict)), clean_text(row.cell->base.label),
                          clean_text(row.cell->round.scene), clean_text(row.what), row.base,
-                         row.next, row.change, row.margin, clean_text(row.note)});
+                         row.next, row.change, row.margin, clean_text(describe_evidence(row))});
     }
     std::string text = fmt::format("BASE {}\nNEW  {}\n{}", clean_text(comparison.base.name),
                                    clean_text(comparison.next.name), align_columns(lines));
@@ -47,7 +47,7 @@ std::string make_comparison_table(const Comparison& comparison) {
     const std::vector<std::string> unpaired = describe_unpaired(comparison);
     text += unpaired.empty() ? "" : "not compared:\n" + list_lines(unpaired);
     text += "runs:\n" + list_lines(comparison.notes) + list_lines(describe_method(comparison));
-    return text + summarize_verdicts(comparison) + "\n";
+    return text + describe_discoveries(comparison) + "\n" + summarize_verdicts(comparison) + "\n";
 }
 
 } // namespace alcove

@@ -61,13 +61,17 @@ std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& rou
         lines.push_back(make_line(cell, metrics));
     }
     const std::string effects = describe_effects(round);
-    return fmt::format("{} {}x{}, {}, errors against {}\n{}{}  {}\n  {}; {}\n{}\n",
+    std::string conditions = "  " + clean_text(describe_fitness(round.machine)) + "\n";
+    for (const std::string& line : {describe_repeats(analysis, round), describe_outliers(round)}) {
+        conditions += line.empty() ? "" : "  " + clean_text(line) + "\n";
+    }
+    return fmt::format("{} {}x{}, {}, errors against {}\n{}{}  {}\n  {}; {}\n{}{}\n",
                        clean_text(round.round.scene), round.round.width, round.round.height,
                        clean_text(round.round.target), clean_text(round.round.reference.label),
                        align_columns(lines),
                        effects.empty() ? "" : "  " + clean_text(effects) + "\n",
                        clean_text(describe_verdict(round)), clean_text(describe_noise(round)),
-                       clean_text(describe_floor(round)), make_time_table(round));
+                       clean_text(describe_floor(round)), conditions, make_time_table(round));
 }
 
 } // namespace

@@ -30,6 +30,9 @@ targets = ["", "radius=0.3,falloff=none"]
 precisions = "raster_depth=24,reversed"
 methods = ["none", "tssao@paper_stills:history_cap=100#short"]
 repeats = 7
+until_width = 0.01
+time_limit_s = 120
+most_repeats = 96
 effects = "all"
 reference = "tssao@reference_480"
 reference_rays_per_half = 32
@@ -62,6 +65,9 @@ skip = [{ where = { history_cap = 100, initial_samples = 64 }, reason = "too sho
     EXPECT_EQ(experiment.targets[1], "radius=0.3,falloff=none");
     EXPECT_TRUE(experiment.precisions.at(0).reversed);
     EXPECT_EQ(experiment.repeats, 7);
+    EXPECT_EQ(experiment.until_width, 0.01);
+    EXPECT_EQ(experiment.time_limit_s, 120.0);
+    EXPECT_EQ(experiment.most_repeats, 96);
     EXPECT_EQ(experiment.reference.preset, "reference_480");
     EXPECT_EQ(experiment.reference_rays_per_half, 32);
     EXPECT_EQ(experiment.metrics, (std::vector<std::string>{"rmse", "ssim"}));
@@ -80,6 +86,22 @@ skip = [{ where = { history_cap = 100, initial_samples = 64 }, reason = "too sho
                   "cap:history_cap=10000,converged_samples=16,initial_samples=64"}));
     ASSERT_EQ(experiment.skipped.size(), 1u);
     EXPECT_EQ(experiment.skipped[0].reason, "too short");
+}
+
+TEST(ExperimentFile, RepeatsThatGoOnHaveAWidthAndRoomForALook) {
+    const std::string rest = "methods = [\"none\"]\n";
+    expect_refused(rest + "until_width = 0\n", {"e.toml:2", "until_width", "out of range", "0"});
+    expect_refused(rest + "until_width = 1.5\n", {"until_width", "1.5", "(0, 1)"});
+    expect_refused(rest + "time_limit_s = 60\n", {"time_limit_s", "no until_width"});
+    expect_refused(rest + "most_repeats = 60\n", {"most_repeats", "no until_width"});
+    expect_refused(rest + "until_width = 0.1\nmost_repeats = 11\n",
+                   {"most_repeats", "11", "12 to 10000"});
+    expect_refused(rest + "until_width = 0.1\ntime_limit_s = -1\n", {"time_limit_s", "-1"});
+    const PlanRecord plan =
+        make_plan(parse(rest + "scenes = [\"bunny\"]\nuntil_width = 0.1\n"), get_units()).record;
+    EXPECT_EQ(plan.until_width, 0.1);
+    EXPECT_EQ(plan.repeats, 6);
+    EXPECT_EQ(plan.limit_repeats(), 192);
 }
 
 TEST(ExperimentFile, MistakesNameFileLineAndNearestName) {

@@ -52,6 +52,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.scenes = {{"template_scene", std::nullopt}};
     experiment.sizes = {{96, 72}};
     experiment.repeats = repeats;
+    experiment.until_width = m_until_width;
     experiment.shuffle_seed = seed;
     experiment.reference_rays_per_half = 16;
     experiment.audit_share = m_audit_share;

@@ -196,10 +196,11 @@ TEST_F(RoundRunnerTest, TheCallerHearsEveryFrameAndEveryRepeat) {
     std::size_t calls = 0;
     std::vector<std::size_t> samples;
     RoundEvents events;
-    events.progress = [&](std::size_t done, std::size_t all) {
-        EXPECT_EQ(done, last + 1);
-        EXPECT_EQ(all, 3u * kRoundFrames);
-        last = done;
+    events.progress = [&](const RoundProgress& progress) {
+        EXPECT_EQ(progress.done, last + 1);
+        EXPECT_EQ(progress.all, 3u * kRoundFrames);
+        EXPECT_EQ(progress.is_timing, progress.done <= 2u * kRoundFrames);
+        last = progress.done;
         ++calls;
     };
     events.repeat_done = [&](const std::vector<SampleRow>& rows, int repeats) {
@@ -211,6 +212,26 @@ TEST_F(RoundRunnerTest, TheCallerHearsEveryFrameAndEveryRepeat) {
     ASSERT_EQ(samples.size(), 2u);
     EXPECT_GT(samples[1], samples[0]);
     EXPECT_EQ(samples[1], m_result.samples.size());
+}
+
+TEST_F(RoundRunnerTest, RepeatsGoOnUntilIntervalsAreNarrowAndEachSaysWhatTheMachineDid) {
+    m_until_width = 0.9999; // so wide that the first look ends it
+    int repeats = 0;
+    RoundEvents events;
+    events.repeat_done = [&](const std::vector<SampleRow>&, int done) { repeats = done; };
+    run({"template_method"}, 2, 1, events);
+    EXPECT_GE(repeats, 12);
+    EXPECT_EQ(m_result.done.repeats.taken, repeats);
+    EXPECT_EQ(m_result.done.repeats.reason, StopReason::width);
+    EXPECT_LE(m_result.done.repeats.widest.value(), 0.9999);
+    ASSERT_EQ(m_result.done.machine.size(), static_cast<std::size_t>(repeats));
+    for (const MachineRecord& machine : m_result.done.machine) {
+        EXPECT_GT(machine.wall_s, 0.0);
+    }
+    // What a folder of this plan takes: repeats beyond the fewest.
+    RunFolder folder = RunFolder::create(m_folder.path() / "run", ContextRecord{}, m_plan);
+    folder.finish_round(round().id, m_result.samples, m_result.metrics, m_result.done);
+    EXPECT_EQ(RunFolder::open(folder.path()).read_samples().size(), m_result.samples.size());
 }
 
 TEST_F(RoundRunnerTest, TheSecondTimeReferencesComeFromTheCacheAndChangeNothing) {

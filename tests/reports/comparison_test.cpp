@@ -1,6 +1,7 @@
 #include "core/base/error.hpp"
 #include "core/base/image_file.hpp"
 #include "reports/analysis/comparison.hpp"
+#include "reports/analysis/comparison_time.hpp"
 #include "reports/analysis/comparison_wording.hpp"
 #include "reports/csv/comparison_csv.hpp"
 #include "reports/html/comparison_page.hpp"
@@ -143,6 +144,102 @@ TEST_F(ComparisonTest, ASlowDownOfFivePercentInNoiseOfOneIsWorseAndTheOthersAreN
     // the rows are sorted: what is worse stands on top
     EXPECT_EQ(list_verdicts(comparison).front().verdict, Verdict::worse);
     EXPECT_EQ(comparison.count(Verdict::worse), 2u);
+}
+
+TEST_F(ComparisonTest, TestsByRanksStandBesideAVerdict) {
+    ComparisonOptions options;
+    options.margin = 0.0;
+    Edits base;
+    base.options.finished_rounds = 1;
+    Edits next = base;
+    next.sample = [](SampleRow& row) {
+        if (row.cell == "tssao" && row.kind == SampleKind::envelope) {
+            row.time_ns = std::llround(static_cast<double>(row.time_ns) * 1.012);
+        }
+    };
+    const Comparison comparison = compare_runs(write("base", base), write("next", next), options);
+    const TimeComparison& time = *find_cell(comparison, "r0-balls", "tssao").time;
+    // repeats -0.5 .. 0.5 % against 0.7 .. 1.7 %: apart, and so are the ranks
+    EXPECT_EQ(time.verdict, Verdict::worse);
+    ASSERT_TRUE(time.ranks);
+    EXPECT_EQ(time.ranks->test, "mann_whitney");
+    EXPECT_NEAR(time.ranks->p_value, 2.0 / 924.0, 1e-12);
+    EXPECT_NEAR(time.ranks->adjusted_p_value, 4.0 / 924.0, 1e-12);
+    EXPECT_NEAR(*time.ranks->ks_adjusted_p_value, 4.0 / 924.0, 1e-12);
+    EXPECT_FALSE(time.is_taken_back);
+}
+
+TEST_F(ComparisonTest, AVerdictWithoutRanksBehindItIsUnknown) {
+    TimeComparison time;
+    time.change = {1.1, Interval{1.05, 1.15}, 1.0, 1.2, 6};
+    time.p_value = 0.001;
+    time.margin = 0.02;
+    time.ranks = RankEvidence{"mann_whitney", 0.03, 0.06, 0.03, 0.06};
+    judge_times({&time});
+    EXPECT_EQ(time.verdict, Verdict::unknown);
+    EXPECT_TRUE(time.is_taken_back);
+    time.ranks->ks_adjusted_p_value = 0.04; // one of them is enough
+    time.is_taken_back = false;
+    judge_times({&time});
+    EXPECT_EQ(time.verdict, Verdict::worse);
+    EXPECT_FALSE(time.is_taken_back);
+    time.change = {1.0, Interval{0.99, 1.01}, 0.98, 1.02, 6};
+    time.ranks->p_value = time.ranks->adjusted_p_value = 0.9; // what is the same stays so
+    time.ranks->ks_adjusted_p_value = 0.9;
+    judge_times({&time});
+    EXPECT_EQ(time.verdict, Verdict::same);
+}
+
+TEST_F(ComparisonTest, PairsAreJudgedBySignedRanksAlone) {
+    Edits next;
+    next.sample = [](SampleRow& row) {
+        if (row.cell == "tssao" && row.kind == SampleKind::envelope) {
+            row.time_ns += row.time_ns / (20 + row.repeat);
+        }
+    };
+    ComparisonOptions options;
+    options.paired = true;
+    const Comparison comparison = compare_runs(write("base"), write("next", next), options);
+    const TimeComparison& time = *find_cell(comparison, "r0-balls", "tssao").time;
+    ASSERT_TRUE(time.ranks);
+    EXPECT_EQ(time.ranks->test, "signed_ranks");
+    EXPECT_NEAR(time.ranks->adjusted_p_value, 2.0 / 64.0, 1e-12);
+    EXPECT_FALSE(time.ranks->ks_p_value);
+    EXPECT_EQ(time.verdict, Verdict::worse);
+}
+
+TEST_F(ComparisonTest, DiscoveriesAreCountedOverTimesAndMetrics) {
+    Edits next;
+    next.sample = [](SampleRow& row) {
+        if (row.cell == "tssao") {
+            row.time_ns += row.time_ns / 10;
+        }
+    };
+    const Comparison comparison = compare_runs(write("base"), write("next", next), {});
+    const Discoveries count = comparison.count_discoveries();
+    EXPECT_EQ(count.all_times, 6u);
+    EXPECT_EQ(count.times, 2u);
+    EXPECT_GT(count.all_by_segment, 0u);
+    EXPECT_GT(count.all_by_frame, 0u);
+    EXPECT_EQ(count.by_segment + count.by_frame, 0u) << "images are identical";
+    for (const CellComparison& cell : comparison.cells) {
+        if (cell.time) {
+            ASSERT_TRUE(cell.time->discovery_p_value);
+            EXPECT_GE(*cell.time->discovery_p_value, *cell.time->p_value);
+        }
+    }
+    const std::string csv = make_comparison_csv(comparison);
+    const std::string page = make_comparison_page(comparison, folder.path());
+    const std::string table = make_comparison_table(comparison);
+    const std::string markdown = make_comparison_markdown(comparison);
+    EXPECT_NE(csv.find("p_value,p_holm,p_bh,rank_test,p_rank,p_rank_holm,p_ks,p_ks_holm"),
+              std::string::npos);
+    EXPECT_NE(csv.find(",mann_whitney,"), std::string::npos);
+    EXPECT_NE(page.find("<th>p (Holm)</th><th>p (BH)</th>"), std::string::npos);
+    for (const std::string& text : {page, table, markdown}) {
+        EXPECT_NE(text.find("MW 0.0043, KS 0.0043"), std::string::npos);
+        EXPECT_NE(text.find("2 of 6 times"), std::string::npos);
+    }
 }
 
 TEST_F(ComparisonTest, PassesExplainWhereTheTimeWent) {

@@ -104,8 +104,8 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         return error_of(
             [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
     };
-    for (const std::string version : {"2", "4"}) {
-        EXPECT_TRUE(contains(error("\"schema_version\": 3", "\"schema_version\": " + version),
+    for (const std::string version : {"3", "5"}) {
+        EXPECT_TRUE(contains(error("\"schema_version\": 4", "\"schema_version\": " + version),
                              "dir/plan.json: schema_version: another schema version: found `" +
                                  version + "`"));
     }
@@ -138,6 +138,29 @@ std::string error_of_plan(const std::function<void(PlanRecord&)>& change) {
     PlanRecord plan = synthetic::make_plan({});
     change(plan);
     return error_of([&] { static_cast<void>(parse_plan_json(make_json(plan), "p")); });
+}
+
+TEST(RecordJson, AClosingNoteKeepsWhatTheMachineDidAndWhatItDoesNotSay) {
+    RoundDone done;
+    done.repeats = {24, StopReason::width, 0.0098, "tssao"};
+    done.machine = {{2.5, 3.25, 0.125, 0.01, 40.0, 2400.0}, {2.0, {}, {}, {}, {}, {}}};
+    const std::string text = make_json(done);
+    const RoundDone back = parse_done_json(text, "done.json");
+    EXPECT_EQ(back.repeats.taken, 24);
+    EXPECT_EQ(back.repeats.reason, StopReason::width);
+    EXPECT_EQ(back.repeats.widest, 0.0098);
+    EXPECT_EQ(back.repeats.widest_cell, "tssao");
+    ASSERT_EQ(back.machine.size(), 2u);
+    EXPECT_EQ(back.machine[0].others_share, 0.125);
+    EXPECT_EQ(back.machine[0].clock_mhz, 2400.0);
+    EXPECT_FALSE(back.machine[1].load || back.machine[1].steal_share);
+    EXPECT_TRUE(contains(text, "\"load\": null"));
+    const auto error = [&](const std::string& from, const std::string& to) {
+        return error_of(
+            [&] { static_cast<void>(parse_done_json(replaced(text, from, to), "done.json")); });
+    };
+    EXPECT_TRUE(contains(error("\"width\"", "\"mood\""), "repeats.reason: unknown reason"));
+    EXPECT_TRUE(contains(error("\"load\": null", "\"load\": \"much\""), "machine[1].load"));
 }
 
 TEST(RecordJson, AFilmIsAShortPartOfABurst) {
@@ -237,10 +260,10 @@ TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_TRUE(
         contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
     EXPECT_TRUE(
-        contains(error("\n3,", "\n2,"), "samples.csv:2: column schema: another schema version"));
+        contains(error("\n4,", "\n3,"), "samples.csv:2: column schema: another schema version"));
     EXPECT_TRUE(
-        contains(error("\n3,", "\n4,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(contains(error("3,r0-balls", "3,r1-courtyard"), "a row of another round"));
+        contains(error("\n4,", "\n5,"), "samples.csv:2: column schema: another schema version"));
+    EXPECT_TRUE(contains(error("4,r0-balls", "4,r1-courtyard"), "a row of another round"));
     const std::string cut = good.substr(0, good.size() - 4);
     EXPECT_TRUE(contains(error_of([&] {
                              static_cast<void>(

@@ -227,8 +227,12 @@ void write_film(const fs::path& run, const RoundRecord& round) {
     }
 }
 
-RoundDone make_done() {
+RoundDone make_done(const Options& options) {
     RoundDone done;
+    done.repeats.taken = options.repeats;
+    for (int repeat = 0; repeat < options.repeats; ++repeat) {
+        done.machine.push_back({10.0, 1.5, 0.02, 0.0, 40.0, 2400.0 + repeat});
+    }
     done.wall_s = 61.5;
     done.gbuffer_s = 4.0;
     done.passes_s = 40.0;
@@ -496,7 +500,7 @@ RunFolder write_run(const fs::path& path, const Options& options) {
             write_film(path, round);
         }
         run.finish_round(round.id, make_samples(run.plan(), round), make_metrics(round),
-                         make_done());
+                         make_done(options));
     }
     return RunFolder::open(path);
 }

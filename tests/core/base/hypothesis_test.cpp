@@ -77,6 +77,50 @@ TEST(Hypothesis, HolmByHand) {
     EXPECT_TRUE(adjust_holm({}).empty());
 }
 
+TEST(Hypothesis, BenjaminiHochbergByHand) {
+    // sorted 0.01 0.02 0.03 0.04 times 4/1 4/2 4/3 4/4 = 0.04 each; with 0.9: times 5/rank
+    for (const double adjusted : adjust_benjamini_hochberg(std::vector{0.04, 0.01, 0.03, 0.02})) {
+        EXPECT_NEAR(adjusted, 0.04, 1e-12);
+    }
+    const std::vector<double> five =
+        adjust_benjamini_hochberg(std::vector{0.9, 0.001, 0.03, 0.5, 0.02});
+    EXPECT_NEAR(five[1], 0.005, 1e-12);
+    EXPECT_NEAR(five[4], 0.05, 1e-12);
+    EXPECT_NEAR(five[2], 0.05, 1e-12);
+    EXPECT_NEAR(five[3], 0.625, 1e-12);
+    EXPECT_NEAR(five[0], 0.9, 1e-12);
+    EXPECT_TRUE(adjust_benjamini_hochberg({}).empty());
+}
+
+TEST(Hypothesis, AtMostFivePercentOfDiscoveriesAreFalse) {
+    // 40 tests, in 10 of them something is there.
+    std::mt19937 random(13);
+    std::normal_distribution<double> normal;
+    double false_share = 0.0;
+    double found = 0.0;
+    constexpr int kFamilies = 1500;
+    for (int f = 0; f < kFamilies; ++f) {
+        std::vector<double> p_values;
+        for (int t = 0; t < 40; ++t) {
+            const double z = normal(random) + (t < 10 ? 3.0 : 0.0);
+            p_values.push_back(std::erfc(std::abs(z) / std::sqrt(2.0)));
+        }
+        const std::vector<double> adjusted = adjust_benjamini_hochberg(p_values);
+        const auto count = [&](std::ptrdiff_t begin, std::ptrdiff_t end) {
+            return static_cast<double>(std::count_if(adjusted.begin() + begin,
+                                                     adjusted.begin() + end,
+                                                     [](double p) { return p <= 0.05; }));
+        };
+        const double wrong = count(10, 40);
+        const double right = count(0, 10);
+        false_share += wrong + right > 0.0 ? wrong / (wrong + right) : 0.0;
+        found += right / 10.0;
+    }
+    // 30 of 40 are true hypotheses: the rate is 0.05 * 30 / 40
+    EXPECT_NEAR(false_share / kFamilies, 0.0375, 0.006);
+    EXPECT_GT(found / kFamilies, 0.55);
+}
+
 struct Rates {
     double family = 0.0;   ///< families with a false rejection after Holm
     double single = 0.0;   ///< tests that reject without Holm
