@@ -47,8 +47,8 @@ struct MetricResult {
     /// What the reference's own noise alone would give; a value below it means nothing. Only with
     /// halves.
     std::optional<double> floor;
-    std::optional<Image> map; ///< one channel, the size that `map_offset` says
-    int map_offset = 0;       ///< pixels cut off at each border of the map (valid region)
+    std::optional<Image> map;       ///< one channel, the size that `map_offset` says
+    int map_offset = 0;             ///< pixels cut off at each border of the map (valid region)
     std::vector<NamedValue> extras; ///< in the order of the definition; none without a value
     /// Of the pixels that are pooled where there is no mask, how many it counts and how many it
     /// ignores; only with a mask. One that counts none leaves no value, with a reason.
@@ -76,6 +76,8 @@ struct MetricCheck {
     double expected = 0.0;
     double tolerance = 0.0; ///< absolute
     std::string source;     ///< who published it, or the hand calculation
+    /// The unit's defaults where empty.
+    std::vector<ParameterOverride> parameters = {};
 };
 
 class TemporalMetric;

@@ -71,7 +71,7 @@ struct Experiment {
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     int reference_rays_per_half = 32;
-    std::vector<std::string> metrics; ///< names; empty: all that are reported
+    std::vector<std::string> metrics; ///< parse_metric_spec; empty: list_default_metrics
     std::uint64_t shuffle_seed = 1;
     double audit_share = 0.01;    ///< of what caches give, made anew and compared; 0 to 1
     std::uint64_t audit_seed = 1; ///< chooses which

@@ -44,8 +44,7 @@ MetricResult pool_absolute_error(const MetricInput& input,
     if (region.count() == 0) {
         return result;
     }
-    std::vector<float> differences =
-        list_differences(input.test, input.reference, region, 1.0f);
+    std::vector<float> differences = list_differences(input.test, input.reference, region, 1.0f);
     result.value = pool(differences);
     if (input.reference_a != nullptr) {
         std::vector<float> noise =

@@ -11,7 +11,8 @@ namespace alcove {
 /// them; never called with none. With halves A, B of the reference, `floor` is the same of
 /// |A - B| / 2, what the reference's own noise gives. The map is |test - reference|, averaged over
 /// channels.
-[[nodiscard]] MetricResult pool_absolute_error(const MetricInput& input,
-                                               const std::function<double(std::vector<float>&)>& pool);
+[[nodiscard]] MetricResult
+pool_absolute_error(const MetricInput& input,
+                    const std::function<double(std::vector<float>&)>& pool);
 
 } // namespace alcove

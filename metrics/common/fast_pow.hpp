@@ -1,5 +1,6 @@
 #pragma once
-// Powers for loops that a compiler turns into vector instructions: no branches, no tables, no calls.
+// Powers for loops that a compiler turns into vector instructions: no branches, no tables, no
+// calls.
 
 #include <bit>
 #include <cstdint>
@@ -30,12 +31,11 @@ namespace alcove {
     const float rest = (x - (shifted - kRound)) * static_cast<float>(std::numbers::ln2);
     const float series =
         1.0f +
-        rest * (1.0f +
-                rest * (1.0f / 2.0f +
-                        rest * (1.0f / 6.0f +
-                                rest * (1.0f / 24.0f +
-                                        rest * (1.0f / 120.0f +
-                                                rest * (1.0f / 720.0f + rest / 5040.0f))))));
+        rest * (1.0f + rest * (1.0f / 2.0f +
+                               rest * (1.0f / 6.0f +
+                                       rest * (1.0f / 24.0f +
+                                               rest * (1.0f / 120.0f +
+                                                       rest * (1.0f / 720.0f + rest / 5040.0f))))));
     const std::uint32_t power = (std::bit_cast<std::uint32_t>(shifted) - 0x4b400000u) << 23;
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(series) + power);
 }

@@ -58,9 +58,9 @@ constexpr Weights kR = take_row(kFromWhite, 0);
 constexpr Weights kG = take_row(kFromWhite, 1);
 constexpr Weights kB = take_row(kFromWhite, 2);
 
-constexpr float kErrorExponent = 0.7f;    // q_c
-constexpr float kKneeShare = 0.4f;        // p_c
-constexpr float kKneeError = 0.95f;       // p_t
+constexpr float kErrorExponent = 0.7f; // q_c
+constexpr float kKneeShare = 0.4f;     // p_c
+constexpr float kKneeError = 0.95f;    // p_t
 constexpr float kHunt = 0.01f;
 
 inline float clamp_to_one(float value) {

@@ -73,29 +73,34 @@ std::vector<HalfFilter> make_channel(const std::vector<SensitivityTerm>& terms, 
     return filters;
 }
 
+/// In single precision throughout, as published: see FilterKind for why that shows.
 void add_features(FlipFilters& filters, double ppd) {
-    const double sigma = 0.5 * kFeatureWidth_deg * ppd;
-    const int radius = static_cast<int>(std::ceil(3.0 * sigma));
-    const std::vector<double> gaussian = sample_gaussian(sigma, radius);
-    filters.gaussian = scale(gaussian, 1.0 / sum_both_sides(gaussian));
-    double lobe = 0.0;
-    double positive = 0.0;
-    double negative = 0.0;
-    std::vector<double> first;
-    std::vector<double> second;
-    for (int x = 0; x <= radius; ++x) {
-        const double weight = gaussian[static_cast<std::size_t>(x)];
-        first.push_back(x * weight);
-        second.push_back((x * x / (sigma * sigma) - 1.0) * weight);
-        const double both = x == 0 ? second.back() : 2.0 * second.back();
-        lobe += first.back();
-        (both > 0.0 ? positive : negative) += both;
+    const float sigma = 0.5f * static_cast<float>(kFeatureWidth_deg) * static_cast<float>(ppd);
+    const int radius = static_cast<int>(std::ceil(3.0f * sigma));
+    float sum = 0.0f;
+    float lobe = 0.0f;
+    float positive = 0.0f;
+    float negative = 0.0f;
+    std::vector<float>& gaussian = filters.gaussian.weights;
+    std::vector<float>& first = filters.first_derivative.weights;
+    std::vector<float>& second = filters.second_derivative.weights;
+    for (int x = -radius; x <= radius; ++x) {
+        const auto place = static_cast<float>(x);
+        const float weight = std::exp(-(place * place) / (2.0f * sigma * sigma));
+        const float curvature = (place * place / (sigma * sigma) - 1.0f) * weight;
+        sum += weight;
+        (curvature > 0.0f ? positive : negative) += curvature;
+        if (x >= 0) {
+            lobe += place * weight;
+            gaussian.push_back(weight);
+            first.push_back(place * weight);
+            second.push_back(curvature);
+        }
     }
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        filters.first_derivative.weights.push_back(
-            static_cast<float>(lobe > 0.0 ? first[i] / lobe : 0.0));
-        const double sum = second[i] > 0.0 ? positive : -negative;
-        filters.second_derivative.weights.push_back(static_cast<float>(second[i] / sum));
+    for (std::size_t i = 0; i < gaussian.size(); ++i) {
+        gaussian[i] /= sum;
+        first[i] = lobe > 0.0f ? first[i] / lobe : 0.0f;
+        second[i] /= second[i] > 0.0f ? positive : -negative;
     }
 }
 

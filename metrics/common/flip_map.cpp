@@ -35,9 +35,11 @@ class RowRing {
     RowRing(int radius, std::size_t width)
         : m_slots(2 * radius + 1), m_width(width),
           m_values(static_cast<std::size_t>(m_slots) * width), m_taps(as_size(m_slots)) {}
-    [[nodiscard]] float* slot(int row) { return m_values.data() + as_size(row % m_slots) * m_width; }
-    /// Rows y - radius .. y + radius, those outside of the image being its outermost ones; points to
-    /// row y.
+    [[nodiscard]] float* slot(int row) {
+        return m_values.data() + as_size(row % m_slots) * m_width;
+    }
+    /// Rows y - radius .. y + radius, those outside of the image being its outermost ones; points
+    /// to row y.
     [[nodiscard]] const float* const* find_taps(int y, int height, int radius) {
         for (int k = -radius; k <= radius; ++k) {
             m_taps[as_size(k + radius)] = slot(std::clamp(y + k, 0, height - 1));
@@ -71,8 +73,8 @@ class FilteredImage {
             m_rings.emplace_back(m_pad, m_width);
         }
         m_taps.resize(2 * static_cast<std::size_t>(m_pad) + 1);
-        for (std::vector<float>* row : {&m_lab[0], &m_lab[1], &m_lab[2], &m_edge, &m_point,
-                                        &m_x, &m_y}) {
+        for (std::vector<float>* row :
+             {&m_lab[0], &m_lab[1], &m_lab[2], &m_edge, &m_point, &m_x, &m_y}) {
             row->resize(m_width);
         }
     }

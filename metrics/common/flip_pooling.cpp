@@ -46,8 +46,8 @@ MetricResult pool_flip_map(Image map, const Image* mask) {
     if (region.count() > 0) {
         std::vector<double> sums;
         for (int y = 0; y < map.height(); ++y) {
-            sums.push_back(region.sum_row(
-                y, map.values().data() + static_cast<std::ptrdiff_t>(y) * map.width()));
+            sums.push_back(region.sum_row(y, map.values().data() +
+                                                 static_cast<std::ptrdiff_t>(y) * map.width()));
         }
         result.value = region.compute_mean(sums);
         const std::vector<float> errors = list_counted(map, region);

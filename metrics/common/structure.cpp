@@ -123,9 +123,8 @@ class StructureBand {
         for (std::size_t m = 0; m < kMoments; ++m) {
             std::array<const double*, kTaps> taps{};
             for (std::size_t k = 0; k < kTaps; ++k) {
-                taps.at(k) = m_rows.at((static_cast<std::size_t>(last) + 1 + k) % kTaps)
-                                 .at(m)
-                                 .data();
+                taps.at(k) =
+                    m_rows.at((static_cast<std::size_t>(last) + 1 + k) % kTaps).at(m).data();
             }
             sum_taps(taps, m_window, m_width, m_means.at(m).data());
         }

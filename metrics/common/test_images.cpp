@@ -96,10 +96,9 @@ Image make_noisy_colour_ramp(int amplitude) {
                 const auto index = static_cast<std::uint32_t>((y * 256 + x) * 3 + c);
                 const auto range = static_cast<std::uint32_t>(2 * amplitude + 1);
                 const int noise = static_cast<int>(hash_index(index) % range) - amplitude;
-                image.at(x, y, c) =
-                    static_cast<float>(
-                        std::clamp(codes.at(static_cast<std::size_t>(c)) + noise, 0, 255)) /
-                    255.0f;
+                image.at(x, y, c) = static_cast<float>(std::clamp(
+                                        codes.at(static_cast<std::size_t>(c)) + noise, 0, 255)) /
+                                    255.0f;
             }
         }
     }

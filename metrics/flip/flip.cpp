@@ -25,8 +25,8 @@ class Flip final : public Metric {
 
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "flip");
-        return pool_flip_map(
-            compute_flip_map(input.test, input.reference, m_ppd, decode_planes), input.mask);
+        return pool_flip_map(compute_flip_map(input.test, input.reference, m_ppd, decode_planes),
+                             input.mask);
     }
 
   private:
@@ -38,9 +38,7 @@ constexpr double kTolerance = 2e-5;
 
 std::vector<MetricCheck> list_checks() {
     const char* const source = "NVIDIA FLIP.h 1.6, g++ -O2, 67.020645 pixels a degree";
-    const auto constant = [](int r, int g, int b) {
-        return [=] { return make_colour(r, g, b); };
-    };
+    const auto constant = [](int r, int g, int b) { return [=] { return make_colour(r, g, b); }; };
     return {
         {"black, white", constant(0, 0, 0), constant(255, 255, 255), 0.967388, kTolerance, source},
         {"green, blue", constant(0, 255, 0), constant(0, 0, 255), 1.0, kTolerance,

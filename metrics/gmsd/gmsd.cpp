@@ -27,10 +27,10 @@ Image halve(const Image& image) {
     Image half({(image.width() + 1) / 2, (image.height() + 1) / 2}, 1);
     for (int y = 0; y < half.height(); ++y) {
         for (int x = 0; x < half.width(); ++x) {
-            half.at(x, y) = static_cast<float>(0.25 * (get_padded(image, 2 * x, 2 * y) +
-                                                       get_padded(image, 2 * x + 1, 2 * y) +
-                                                       get_padded(image, 2 * x, 2 * y + 1) +
-                                                       get_padded(image, 2 * x + 1, 2 * y + 1)));
+            half.at(x, y) = static_cast<float>(
+                0.25 *
+                (get_padded(image, 2 * x, 2 * y) + get_padded(image, 2 * x + 1, 2 * y) +
+                 get_padded(image, 2 * x, 2 * y + 1) + get_padded(image, 2 * x + 1, 2 * y + 1)));
         }
     }
     return half;
@@ -54,8 +54,7 @@ Image make_similarity(const Image& test, const Image& reference) {
         for (int x = 0; x < test.width(); ++x) {
             const double a = compute_square(test, x, y);
             const double b = compute_square(reference, x, y);
-            similarity.at(x, y) =
-                static_cast<float>((2.0 * std::sqrt(a * b) + kC) / (a + b + kC));
+            similarity.at(x, y) = static_cast<float>((2.0 * std::sqrt(a * b) + kC) / (a + b + kC));
         }
     }
     return similarity;
@@ -132,7 +131,8 @@ MetricUnit gmsd_unit() {
     unit.title = "Gradient magnitude similarity deviation";
     unit.unit = "1";
     unit.definition =
-        "Xue et al. 2014 on the view (sRGB codes in [0,1]; Rec. 709 luma of colour): means of 2 x 2 "
+        "Xue et al. 2014 on the view (sRGB codes in [0,1]; Rec. 709 luma of colour): means of 2 x "
+        "2 "
         "pixels, gradients g by Prewitt's filters over 3, zero outside; similarity "
         "(2 g_t g_r + c) / (g_t^2 + g_r^2 + c), c = 170 / 255^2; standard deviation of it over the "
         "halved image, divided by N. Map: the similarity, 2 x 2 pixels alike.";

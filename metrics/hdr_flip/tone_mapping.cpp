@@ -1,5 +1,5 @@
-// This work is based on: Andersson, Nilsson, Shirley, Akenine-Moller. Visualizing Errors in Rendered
-// High Dynamic Range Images. 2021.
+// This work is based on: Andersson, Nilsson, Shirley, Akenine-Moller. Visualizing Errors in
+// Rendered High Dynamic Range Images. 2021.
 #include "metrics/hdr_flip/tone_mapping.hpp"
 
 #include "core/base/domain.hpp"
@@ -17,10 +17,10 @@ struct Curve {
 };
 
 /// Narkowicz's fit of ACES with 0.6 of the light, Hable's curve with white at 11.2, x / (1 + x).
-constexpr std::array<Curve, 3> kCurves{{{0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43,
-                                         0.6 * 0.59, 0.14},
-                                        {0.231683, 0.013791, 0.0, 0.18, 0.3, 0.018},
-                                        {0.0, 1.0, 0.0, 0.0, 1.0, 1.0}}};
+constexpr std::array<Curve, 3> kCurves{
+    {{0.6 * 0.6 * 2.51, 0.6 * 0.03, 0.0, 0.6 * 0.6 * 2.43, 0.6 * 0.59, 0.14},
+     {0.231683, 0.013791, 0.0, 0.18, 0.3, 0.018},
+     {0.0, 1.0, 0.0, 0.0, 1.0, 1.0}}};
 
 constexpr double kTarget = 0.85; ///< what exposures bring the largest and the median to
 
@@ -40,8 +40,9 @@ double find_bright(const Curve& curve) {
     return std::max((-b + root) / (2.0 * a), (-b - root) / (2.0 * a));
 }
 
-float clamp_to_one(double value) {
-    return static_cast<float>(std::clamp(value, 0.0, 1.0));
+std::array<float, 6> get_single_precision(const Curve& curve) {
+    return {static_cast<float>(curve.a), static_cast<float>(curve.b), static_cast<float>(curve.c),
+            static_cast<float>(curve.d), static_cast<float>(curve.e), static_cast<float>(curve.f)};
 }
 
 } // namespace
@@ -70,24 +71,24 @@ std::vector<double> list_exposures(ExposureRange range) {
 
 void map_tones(const std::array<float*, 3>& planes, std::size_t count, double exposure,
                ToneMapper mapper) {
-    const Curve& curve = get_curve(mapper);
-    const double gain = std::exp2(exposure);
+    const std::array<float, 6> k = get_single_precision(get_curve(mapper));
+    const float gain = std::exp2(static_cast<float>(exposure));
     const bool is_grey = planes[1] == nullptr;
     for (std::size_t i = 0; i < count; ++i) {
-        std::array<double, 3> light{};
+        std::array<float, 3> light{};
         for (std::size_t p = 0; p < (is_grey ? 1u : 3u); ++p) {
-            light[p] = gain * std::max(0.0, static_cast<double>(planes[p][i]));
+            light[p] = gain * std::max(0.0f, planes[p][i]);
         }
         // Reinhard's operator divides by the luminance of all channels, the others work on each.
-        const double luminance =
-            is_grey ? light[0] : 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
+        const float luminance =
+            is_grey ? light[0] : 0.2126f * light[0] + 0.7152f * light[1] + 0.0722f * light[2];
         for (std::size_t p = 0; p < (is_grey ? 1u : 3u); ++p) {
-            const double x = light[p];
-            planes[p][i] = clamp_to_one(
+            const float x = light[p];
+            const float mapped =
                 mapper == ToneMapper::reinhard
-                    ? x / (1.0 + luminance)
-                    : ((curve.a * x + curve.b) * x + curve.c) /
-                          ((curve.d * x + curve.e) * x + curve.f));
+                    ? x / (1.0f + luminance)
+                    : (k[0] * x * x + k[1] * x + k[2]) / (k[3] * x * x + k[4] * x + k[5]);
+            planes[p][i] = std::clamp(mapped, 0.0f, 1.0f);
         }
     }
 }

@@ -20,8 +20,8 @@ struct ExposureRange {
 /// its median is (section 4.2). Luminances below 2^-23 count as that.
 [[nodiscard]] ExposureRange find_exposures(const Image& reference, ToneMapper mapper);
 
-/// The fewest exposures that lie no more than about a stop apart: max(2, ceil(stop - start)), evenly
-/// spaced with both ends.
+/// The fewest exposures that lie no more than about a stop apart: max(2, ceil(stop - start)),
+/// evenly spaced with both ends.
 [[nodiscard]] std::vector<double> list_exposures(ExposureRange range);
 
 /// Scales a row's planes by 2^exposure, maps and clamps them to [0,1], in place. Grey has one plane

@@ -32,8 +32,11 @@ MetricUnit mae_unit() {
     unit.name = "mae";
     unit.title = "Mean absolute error";
     unit.unit = "value";
-    unit.definition = "Mean over all pixels and channels of |test - reference|, on the values that mse runs on, summed in double. With two halves A, B of the reference: floor = mean |A - B| / 2.";
-    unit.blind_to = "where errors lie, whether they are seen, and their spread: a faint veil weighs as much as a few wrong pixels.";
+    unit.definition =
+        "Mean over all pixels and channels of |test - reference|, on the values that mse runs on, "
+        "summed in double. With two halves A, B of the reference: floor = mean |A - B| / 2.";
+    unit.blind_to = "where errors lie, whether they are seen, and their spread: a faint veil "
+                    "weighs as much as a few wrong pixels.";
     unit.on_demand = true;
     unit.maximum = std::numeric_limits<double>::infinity();
     unit.best = 0.0;

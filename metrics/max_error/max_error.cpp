@@ -28,7 +28,9 @@ MetricUnit max_error_unit() {
     unit.name = "max_error";
     unit.title = "Largest absolute error";
     unit.unit = "value";
-    unit.definition = "Largest |test - reference| over all pixels and channels, on the values that mse runs on. With two halves A, B of the reference: floor = largest |A - B| / 2.";
+    unit.definition =
+        "Largest |test - reference| over all pixels and channels, on the values that mse runs on. "
+        "With two halves A, B of the reference: floor = largest |A - B| / 2.";
     unit.blind_to = "everything but one value of one pixel.";
     unit.on_demand = true;
     unit.maximum = std::numeric_limits<double>::infinity();

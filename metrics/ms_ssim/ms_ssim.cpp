@@ -94,8 +94,7 @@ class MsSsim final : public Metric {
         int clamped = 0;
         for (std::size_t scale = 0; scale < kExponents.size(); ++scale) {
             const bool is_last = scale + 1 == kExponents.size();
-            const PooledRegion region =
-                make_structure_region(mask ? &*mask : nullptr, test.size());
+            const PooledRegion region = make_structure_region(mask ? &*mask : nullptr, test.size());
             if (region.count() == 0) {
                 result.undefined_reason =
                     "the mask counts no window of scale " + std::to_string(scale + 1);
@@ -164,7 +163,8 @@ MetricUnit ms_ssim_unit() {
         "each low-passed and halved from the one before, ssim's window and constants; product of "
         "the means of c s of scales 1 to 4 and of l c s of scale 5 to the powers 0.0448, 0.2856, "
         "0.3001, 0.2363, 0.1333. A negative mean is set to 0 and counted in the extra "
-        "clamped_scales. Low-pass: 9/7 biorthogonal or 2 x 2 mean (low_pass). Sides of 176 or more.";
+        "clamped_scales. Low-pass: 9/7 biorthogonal or 2 x 2 mean (low_pass). Sides of 176 or "
+        "more.";
     unit.blind_to = "absolute level but for the coarsest scale; where an error lies; thin lines "
                     "that the finest scale's small exponent leaves unheard.";
     unit.direction = Direction::higher_is_better;

@@ -42,15 +42,21 @@ MetricUnit p95_error_unit() {
     unit.name = "p95_error";
     unit.title = "95th percentile of the absolute error";
     unit.unit = "value";
-    unit.definition = "The smallest of the values |test - reference| (all pixels and channels) that at least 95 % of them do not exceed (nearest rank), on the values that mse runs on. With two halves A, B of the reference: floor = the same of |A - B| / 2.";
+    unit.definition =
+        "The smallest of the values |test - reference| (all pixels and channels) that at least 95 "
+        "% of them do not exceed (nearest rank), on the values that mse runs on. With two halves "
+        "A, B of the reference: floor = the same of |A - B| / 2.";
     unit.blind_to = "the worst 5 % and the rest below: where errors lie and whether they are seen.";
     unit.on_demand = true;
     unit.maximum = std::numeric_limits<double>::infinity();
     unit.best = 0.0;
     unit.parameters = describe_parameters("p95_error", {});
     unit.checks = {
-        {"20 x 20, errors 1/400 to 400/400", make_all_errors, [] { return Image({20, 20}, 1); }, 0.95,
-         1e-7, "by hand: the 380th of 400"},
+        {"20 x 20, errors 1/400 to 400/400", make_all_errors,
+         [] {
+             return Image({20, 20}, 1);
+         },
+         0.95, 1e-7, "by hand: the 380th of 400"},
     };
     unit.create = [](const ResolvedParameters&) { return std::make_unique<P95Error>(); };
     return unit;

@@ -22,8 +22,8 @@ class Ssim final : public Metric {
             return result;
         }
         Image map;
-        result.value = compute_structure(input.test, input.reference, StructureTerm::whole, region,
-                                         &map);
+        result.value =
+            compute_structure(input.test, input.reference, StructureTerm::whole, region, &map);
         result.map = std::move(map);
         result.map_offset = kStructureRadius;
         return result;
