@@ -29,14 +29,6 @@ BilinearTaps find_taps(float x, float y, ImageSize size) {
             top - static_cast<float>(y0)};
 }
 
-float sample(const Image& image, const BilinearTaps& taps, int channel) {
-    const float upper = image.at(taps.x0, taps.y0, channel) * (1.0f - taps.fx) +
-                        image.at(taps.x1, taps.y0, channel) * taps.fx;
-    const float lower = image.at(taps.x0, taps.y1, channel) * (1.0f - taps.fx) +
-                        image.at(taps.x1, taps.y1, channel) * taps.fx;
-    return upper * (1.0f - taps.fy) + lower * taps.fy;
-}
-
 /// The position of the pixel itself.
 float get_centre(int x, int y, int channel) {
     return 0.5f + static_cast<float>(channel == 0 ? x : y);
@@ -66,21 +58,46 @@ Correspondence make_identity_correspondence(ImageSize size) {
     return identity;
 }
 
-Image warp_image(const Image& earlier, const Correspondence& correspondence) {
-    ALCOVE_ASSERT(earlier.size() == correspondence.valid.size(), "images of one size");
-    Image warped(earlier.size(), earlier.channels());
-    for (int y = 0; y < warped.height(); ++y) {
-        for (int x = 0; x < warped.width(); ++x) {
-            if (correspondence.valid.at(x, y) == 0.0f) {
-                continue;
-            }
-            const BilinearTaps taps =
-                find_taps(correspondence.position.at(x, y, 0), correspondence.position.at(x, y, 1),
-                          earlier.size());
-            for (int c = 0; c < warped.channels(); ++c) {
-                warped.at(x, y, c) = sample(earlier, taps, c);
-            }
+void warp_row(const Image& earlier, const Correspondence& correspondence, int y,
+              std::span<float> out) {
+    const ImageSize size = earlier.size();
+    const auto width = static_cast<std::size_t>(size.width);
+    const auto channels = static_cast<std::size_t>(earlier.channels());
+    ALCOVE_ASSERT(size == correspondence.valid.size() && out.size() == width * channels,
+                  "images and a row of one size");
+    const auto row = static_cast<std::size_t>(y) * width;
+    const float* valid = correspondence.valid.values().data() + row;
+    const float* position = correspondence.position.values().data() + 2 * row;
+    const auto find_pixel = [&](int x, int line) {
+        return earlier.values().data() +
+               (static_cast<std::size_t>(line) * width + static_cast<std::size_t>(x)) * channels;
+    };
+    for (std::size_t x = 0; x < width; ++x) {
+        float* pixel = out.data() + x * channels;
+        if (valid[x] == 0.0f) {
+            std::fill_n(pixel, channels, 0.0f);
+            continue;
         }
+        const BilinearTaps taps = find_taps(position[2 * x], position[2 * x + 1], size);
+        const float* upper_left = find_pixel(taps.x0, taps.y0);
+        const float* upper_right = find_pixel(taps.x1, taps.y0);
+        const float* lower_left = find_pixel(taps.x0, taps.y1);
+        const float* lower_right = find_pixel(taps.x1, taps.y1);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const float upper = upper_left[c] * (1.0f - taps.fx) + upper_right[c] * taps.fx;
+            const float lower = lower_left[c] * (1.0f - taps.fx) + lower_right[c] * taps.fx;
+            pixel[c] = upper * (1.0f - taps.fy) + lower * taps.fy;
+        }
+    }
+}
+
+Image warp_image(const Image& earlier, const Correspondence& correspondence) {
+    Image warped(earlier.size(), earlier.channels());
+    const std::size_t stride =
+        static_cast<std::size_t>(warped.width()) * static_cast<std::size_t>(warped.channels());
+    for (int y = 0; y < warped.height(); ++y) {
+        warp_row(earlier, correspondence, y,
+                 warped.values().subspan(static_cast<std::size_t>(y) * stride, stride));
     }
     return warped;
 }

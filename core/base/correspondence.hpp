@@ -4,6 +4,8 @@
 
 #include "core/base/image.hpp"
 
+#include <span>
+
 namespace alcove {
 
 /// From each pixel of an image to a place in an earlier image of the same size.
@@ -24,6 +26,9 @@ struct Correspondence {
 
 /// The earlier image as seen from now: bilinear between the four pixels around each position,
 /// clamped at the border; 0 where not valid. Asserts equal sizes.
+/// warp_row gives row y of it, all channels of a pixel together.
+void warp_row(const Image& earlier, const Correspondence& correspondence, int y,
+              std::span<float> out);
 [[nodiscard]] Image warp_image(const Image& earlier, const Correspondence& correspondence);
 
 /// From now over the middle image to an earlier one: `now_to_middle` first, then

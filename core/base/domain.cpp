@@ -13,6 +13,7 @@ namespace alcove {
 namespace {
 
 constexpr std::array kDomains{"srgb", "linear", "visibility", "view"};
+constexpr std::array kMetricDomains{"values", "view", "linear", "codes"};
 
 template <class Function>
 Image map_values(const Image& image, Function function) {
@@ -38,6 +39,19 @@ Domain parse_domain(std::string_view text) {
     return static_cast<Domain>(found - names.begin());
 }
 
+std::string_view to_text(MetricDomain domain) {
+    return kMetricDomains.at(static_cast<std::size_t>(domain));
+}
+
+MetricDomain parse_metric_domain(std::string_view text, std::string_view where) {
+    const std::vector<std::string> names(kMetricDomains.begin(), kMetricDomains.end());
+    const auto found = std::find(names.begin(), names.end(), text);
+    if (found == names.end()) {
+        throw InputError(where, "unknown domain of a metric", text, describe_choices(text, names));
+    }
+    return static_cast<MetricDomain>(found - names.begin());
+}
+
 float encode_srgb(float linear) {
     const float value = std::clamp(linear, 0.0f, 1.0f);
     return value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1.0f / 2.4f) - 0.055f;
@@ -53,10 +67,18 @@ Image encode_view(const Image& linear) {
 }
 
 Image convert_for_metric(const Image& image, Domain domain, MetricDomain wanted) {
-    if (wanted == MetricDomain::view) {
-        return domain == Domain::srgb || domain == Domain::view ? image : encode_view(image);
+    const bool is_encoded = domain == Domain::srgb || domain == Domain::view;
+    switch (wanted) {
+    case MetricDomain::values:
+        return domain == Domain::view ? map_values(image, decode_srgb) : image;
+    case MetricDomain::view:
+        return is_encoded ? image : encode_view(image);
+    case MetricDomain::linear:
+        return is_encoded ? map_values(image, decode_srgb) : image;
+    case MetricDomain::codes:
+        break;
     }
-    return domain == Domain::view ? map_values(image, decode_srgb) : image;
+    return image;
 }
 
 Image compute_luma(const Image& image) {

@@ -3,6 +3,7 @@
 #include "core/base/error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace alcove {
 namespace {
@@ -20,6 +21,25 @@ void check_finite(const Image& image, std::string_view metric, std::string_view 
                              std::to_string(position.x) + ", " + std::to_string(position.y) +
                              "), channel " + std::to_string(position.channel),
                          "", "finite values");
+    }
+}
+
+void check_mask(const MetricInput& input, std::string_view metric) {
+    const Image& mask = *input.mask;
+    if (mask.size() != input.test.size() || mask.channels() != 1) {
+        throw InputError(metric, "the mask is not the images' size with one channel",
+                         describe_shape(mask), describe_shape(input.test));
+    }
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width(); ++x) {
+            const float value = mask.at(x, y);
+            if (value != 0.0f && value != 1.0f) {
+                throw InputError(metric,
+                                 "the mask holds another value at pixel (" + std::to_string(x) +
+                                     ", " + std::to_string(y) + ")",
+                                 std::to_string(value), "1 (counted) or 0 (ignored)");
+            }
+        }
     }
 }
 
@@ -47,24 +67,45 @@ void check_metric_input(const MetricInput& input, std::string_view metric, int s
         check_finite(*input.reference_a, metric, "reference half A");
         check_finite(*input.reference_b, metric, "reference half B");
     }
+    if (input.mask != nullptr) {
+        check_mask(input, metric);
+    }
+}
+
+Image convert_for_unit(const MetricUnit& unit, const Image& image, Domain from,
+                       MetricDomain wanted) {
+    Image converted = convert_for_metric(image, from, wanted);
+    return unit.luma ? compute_luma(converted) : converted;
+}
+
+std::optional<MetricResult> refuse_small_image(const MetricUnit& unit, ImageSize size) {
+    if (std::min(size.width, size.height) >= unit.smallest_side) {
+        return std::nullopt;
+    }
+    MetricResult result;
+    result.undefined_reason = "image smaller than the metric's window, " +
+                              std::to_string(unit.smallest_side) + " pixels a side";
+    return result;
 }
 
 MetricResult evaluate_in_domain(const MetricUnit& unit, const Metric& metric,
-                                const MetricInput& input, Domain domain) {
+                                const MetricInput& input, Domain domain, MetricDomain wanted) {
     // Before conversion: it clamps, and would hide an infinite value.
     check_metric_input(input, unit.name);
+    if (std::optional<MetricResult> refusal = refuse_small_image(unit, input.test.size())) {
+        return std::move(*refusal);
+    }
     const auto convert = [&](const Image& image) {
-        Image converted = convert_for_metric(image, domain, unit.domain);
-        return unit.luma ? compute_luma(converted) : converted;
+        return convert_for_unit(unit, image, domain, wanted);
     };
     const Image test = convert(input.test);
     const Image reference = convert(input.reference);
     if (input.reference_a == nullptr) {
-        return metric.evaluate({test, reference});
+        return metric.evaluate({test, reference, nullptr, nullptr, input.mask});
     }
     const Image a = convert(*input.reference_a);
     const Image b = convert(*input.reference_b);
-    return metric.evaluate({test, reference, &a, &b});
+    return metric.evaluate({test, reference, &a, &b, input.mask});
 }
 
 } // namespace alcove

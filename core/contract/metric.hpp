@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace alcove {
 
@@ -25,6 +26,16 @@ struct MetricInput {
     /// Two independent randomisations of the reference; both or none.
     const Image* reference_a = nullptr;
     const Image* reference_b = nullptr;
+    /// One channel, the size of the images: 1 = counted, 0 = ignored, nothing else. A metric pools
+    /// over counted pixels only; one with windows over the windows whose centre is counted, and
+    /// still looks at ignored pixels inside of them.
+    const Image* mask = nullptr;
+};
+
+/// A further number that a metric gives beside its value.
+struct NamedValue {
+    std::string name;
+    double value = 0.0;
 };
 
 struct MetricResult {
@@ -36,8 +47,13 @@ struct MetricResult {
     /// What the reference's own noise alone would give; a value below it means nothing. Only with
     /// halves.
     std::optional<double> floor;
-    std::optional<Image> map; ///< one channel, the size that `map_offset` says
-    int map_offset = 0;       ///< pixels cut off at each border of the map (valid region)
+    std::optional<Image> map;       ///< one channel, the size that `map_offset` says
+    int map_offset = 0;             ///< pixels cut off at each border of the map (valid region)
+    std::vector<NamedValue> extras; ///< in the order of the definition; none without a value
+    /// Of the pixels that are pooled where there is no mask, how many it counts and how many it
+    /// ignores; only with a mask. One that counts none leaves no value, with a reason.
+    std::optional<std::size_t> counted_pixels;
+    std::optional<std::size_t> ignored_pixels;
 };
 
 class Metric {
@@ -46,8 +62,8 @@ class Metric {
     virtual ~Metric() = default;
     Metric(const Metric&) = delete;
     Metric& operator=(const Metric&) = delete;
-    /// Throws InputError if sizes or channels differ, a value is NaN or infinite, or the image is
-    /// too small for it.
+    /// Throws InputError if sizes or channels differ, a value is NaN or infinite (masked or not), a
+    /// mask holds anything but 0 and 1, or the image is too small for it.
     [[nodiscard]] virtual MetricResult evaluate(const MetricInput& input) const = 0;
 };
 
@@ -60,6 +76,8 @@ struct MetricCheck {
     double expected = 0.0;
     double tolerance = 0.0; ///< absolute
     std::string source;     ///< who published it, or the hand calculation
+    /// The unit's defaults where empty.
+    std::vector<ParameterOverride> parameters = {};
 };
 
 class TemporalMetric;
@@ -91,6 +109,7 @@ struct MetricUnit {
     std::string folder;         ///< filled by the registry
     std::string content_hash;   ///< filled by the registry
     bool reported = true;       ///< false for the template
+    bool on_demand = false;     ///< a run measures it only where it is named
     ParameterTable parameters;
     std::vector<MetricCheck> checks;
     std::function<std::unique_ptr<Metric>(const ResolvedParameters&)> create;
@@ -100,11 +119,22 @@ struct MetricUnit {
 };
 
 /// What every metric checks first. Throws InputError: sizes, channels, NaN (with its pixel and
-/// which image), smallest side.
+/// which image), smallest side, mask.
 void check_metric_input(const MetricInput& input, std::string_view metric, int smallest_side = 1);
 
-/// Runs a metric on images of a domain: converts, reduces to luma, evaluates.
+/// An image of `from` as the unit's metrics take it, on `wanted`: converted, reduced to luma.
+[[nodiscard]] Image convert_for_unit(const MetricUnit& unit, const Image& image, Domain from,
+                                     MetricDomain wanted);
+
+/// The result of a metric on images whose smaller side is under the unit's: no value and the
+/// reason; nothing where they are large enough.
+[[nodiscard]] std::optional<MetricResult> refuse_small_image(const MetricUnit& unit,
+                                                             ImageSize size);
+
+/// Runs a metric on images of a domain: converts to `wanted`, reduces to luma, evaluates. Images
+/// that are too small give a result without value.
 [[nodiscard]] MetricResult evaluate_in_domain(const MetricUnit& unit, const Metric& metric,
-                                              const MetricInput& input, Domain domain);
+                                              const MetricInput& input, Domain domain,
+                                              MetricDomain wanted);
 
 } // namespace alcove

@@ -5,6 +5,7 @@
 #include "harness/run/calibration.hpp"
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/grid.hpp"
+#include "harness/run/metric_spec.hpp"
 
 #include <random>
 
@@ -63,7 +64,10 @@ void ExperimentFlags::add_to(CLI::App& app) {
                    "of one method cross)")
         ->expected(1)
         ->take_all();
-    app.add_option("--metric", metrics, "only this metric (repeatable); default all")
+    app.add_option("--metric", metrics,
+                   "NAME[@values|view|linear|codes][:key=value,...]: only this metric "
+                   "(repeatable); default "
+                   "those of the experiment")
         ->expected(1)
         ->take_all();
     app.add_option("--size", size, "WxH in pixels; default 384x288");
@@ -151,9 +155,7 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         experiment.effects = parse_effects_choice(*flags.effects);
     }
     if (!flags.metrics.empty()) {
-        for (const std::string& metric : flags.metrics) {
-            static_cast<void>(units.metrics.find(metric));
-        }
+        check_metric_specs(units.metrics, flags.metrics, "--metric");
         experiment.metrics = flags.metrics;
     }
     if (flags.audit) {

@@ -3,7 +3,8 @@
 #include "core/base/text.hpp"
 #include "core/contract/temporal_metric.hpp"
 #include "harness/app/verbs.hpp"
-#include "harness/run/plan.hpp"
+#include "harness/run/metric_spec.hpp"
+#include "harness/run/units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,15 @@ struct Score {
         return undefined_reason.empty() && frames > 0 ? std::optional(sum / frames) : std::nullopt;
     }
 };
+
+void add_value(Score& score, std::optional<double> value, const std::string& undefined_reason) {
+    if (value) {
+        score.sum += *value;
+        ++score.frames;
+    } else {
+        score.undefined_reason = undefined_reason;
+    }
+}
 
 struct ImagePair {
     fs::path test;
@@ -101,36 +111,45 @@ Image drop_alpha(const Image& image) {
     return result;
 }
 
+/// A metric as it was named.
+struct ChosenMetric {
+    std::string name;
+    ResolvedMetric resolved;
+};
+
 /// Metrics over time only where `with_temporal`: images alone do not say what moved where.
-std::vector<const MetricUnit*> choose_metrics(const Registry<MetricUnit>& registry,
-                                              const std::vector<std::string>& names,
-                                              bool with_temporal) {
-    std::vector<const MetricUnit*> chosen;
+std::vector<ChosenMetric> choose_metrics(const Registry<MetricUnit>& registry,
+                                         std::vector<std::string> names, bool with_temporal) {
+    if (names.empty()) {
+        for (const MetricUnit& unit : registry.units()) {
+            if (unit.reported && (with_temporal || !unit.is_temporal())) {
+                names.push_back(unit.name);
+            }
+        }
+    }
+    check_metric_specs(registry, names, "--metric");
+    std::vector<ChosenMetric> chosen;
     for (const std::string& name : names) {
-        const MetricUnit& unit = registry.find(name);
-        if (unit.is_temporal() && !with_temporal) {
+        const ResolvedMetric metric = resolve_metric(registry, parse_metric_spec(name, "--metric"));
+        if (metric.unit->is_temporal() && !with_temporal) {
             throw InputError("--metric", "is over time and needs motion; it is measured by `run`",
                              name, "a metric of images");
         }
-        chosen.push_back(&unit);
-    }
-    if (chosen.empty()) {
-        for (const MetricUnit& unit : registry.units()) {
-            if (unit.reported && (with_temporal || !unit.is_temporal())) {
-                chosen.push_back(&unit);
-            }
-        }
+        chosen.push_back({name, metric});
     }
     return chosen;
 }
 
-/// Prints one check and says whether it holds.
-bool report_check(const MetricUnit& unit, const std::string& name, double expected,
-                  double tolerance, std::optional<double> value) {
-    const bool holds = value && std::abs(*value - expected) <= tolerance;
-    fmt::print("{:<20}{:<36}expected {:<14} got {:<22} {}\n", unit.name, name,
-               format_number(expected), value ? format_number(*value) : "none",
-               holds ? "ok" : "FAILED");
+/// Prints one check and says whether it holds. `Check` is a MetricCheck or a TemporalCheck.
+template <class Check>
+bool report_check(const MetricUnit& unit, const Check& check, std::optional<double> value) {
+    const bool holds = value && std::abs(*value - check.expected) <= check.tolerance;
+    fmt::print(
+        "{:<20}{:<42}expected {:<12} got {:<12} difference {:<10} tolerance {:<9} {:<7} {}\n",
+        unit.name, check.name, format_rounded(check.expected, 9),
+        value ? format_rounded(*value, 9) : "none",
+        value ? fmt::format("{:.1e}", *value - check.expected) : "-",
+        fmt::format("{:.1e}", check.tolerance), holds ? "ok" : "FAILED", check.source);
     return holds;
 }
 
@@ -140,27 +159,23 @@ int count_failed_checks(const MetricUnit& unit) {
     if (unit.is_temporal()) {
         const auto metric = unit.create_temporal(parameters);
         for (const TemporalCheck& check : unit.temporal_checks) {
-            const double value = check.run(*metric);
-            failures +=
-                report_check(unit, check.name, check.expected, check.tolerance, value) ? 0 : 1;
+            failures += report_check(unit, check, check.run(*metric)) ? 0 : 1;
         }
         return failures;
     }
-    const auto metric = unit.create(parameters);
     for (const MetricCheck& check : unit.checks) {
+        const auto metric = unit.create(unit.parameters.resolve(check.parameters, {}));
         const Image test = check.make_test();
         const Image reference = check.make_reference();
-        const MetricResult result = metric->evaluate({test, reference});
-        failures +=
-            report_check(unit, check.name, check.expected, check.tolerance, result.value) ? 0 : 1;
+        failures += report_check(unit, check, metric->evaluate({test, reference}).value) ? 0 : 1;
     }
     return failures;
 }
 
-int run_self_test(const std::vector<const MetricUnit*>& metrics) {
+int run_self_test(const std::vector<ChosenMetric>& metrics) {
     int failures = 0;
-    for (const MetricUnit* unit : metrics) {
-        failures += count_failed_checks(*unit);
+    for (const ChosenMetric& metric : metrics) {
+        failures += count_failed_checks(*metric.resolved.unit);
     }
     if (failures > 0) {
         throw FailureError("metric --self-test", std::to_string(failures) + " checks failed");
@@ -185,8 +200,7 @@ std::string describe_shape(const Image& image) {
 }
 
 void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
-                   const std::vector<const MetricUnit*>& metrics,
-                   std::map<std::string, Score>& scores) {
+                   const std::vector<ChosenMetric>& metrics, std::map<std::string, Score>& scores) {
     const std::optional<Domain> domain =
         flags.domain.empty() ? std::nullopt : std::optional(parse_domain(flags.domain));
     const ImageFile test = read_finite_image(pair.test, domain);
@@ -196,27 +210,26 @@ void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
         throw InputError(pair.test.string(), "not the shape of " + pair.reference.string(),
                          describe_shape(test.image), describe_shape(reference.image));
     }
-    for (const MetricUnit* unit : metrics) {
-        const auto metric = unit->create(unit->parameters.resolve({}, {}));
+    for (const ChosenMetric& chosen : metrics) {
+        const MetricUnit& unit = *chosen.resolved.unit;
+        check_metric_input({test.image, reference.image}, unit.name);
         // Each file is brought to the metric's domain from its own: an EXR may be held against a
         // PNG.
-        const auto convert = [unit](const Image& image, Domain from) {
-            const Image converted = convert_for_metric(image, from, unit->domain);
-            return unit->luma ? compute_luma(converted) : converted;
+        const auto evaluate_files = [&] {
+            const Image a = convert_for_unit(unit, test.image, test.domain, chosen.resolved.domain);
+            const Image b =
+                convert_for_unit(unit, reference.image, reference.domain, chosen.resolved.domain);
+            return chosen.resolved.create()->evaluate({a, b});
         };
-        check_metric_input({test.image, reference.image}, unit->name, unit->smallest_side);
-        const Image a = convert(test.image, test.domain);
-        const Image b = convert(reference.image, reference.domain);
-        const MetricResult result = metric->evaluate({a, b});
-        Score& score = scores[unit->name];
-        if (result.value) {
-            score.sum += *result.value;
-            ++score.frames;
-        } else {
-            score.undefined_reason = pair.test.string() + ": " + result.undefined_reason;
+        std::optional<MetricResult> refusal = refuse_small_image(unit, test.image.size());
+        const MetricResult result = refusal ? std::move(*refusal) : evaluate_files();
+        add_value(scores[chosen.name], result.value,
+                  pair.test.string() + ": " + result.undefined_reason);
+        for (const NamedValue& extra : result.extras) {
+            add_value(scores[chosen.name + "." + extra.name], extra.value, "");
         }
         if (!flags.map_folder.empty() && result.map) {
-            const std::string name = pair.test.stem().string() + "_" + unit->name + ".exr";
+            const std::string name = pair.test.stem().string() + "_" + chosen.name + ".exr";
             write_exr(fs::path(flags.map_folder) / name, *result.map, Domain::linear);
         }
     }
@@ -252,7 +265,7 @@ bool check_gate(const std::string& text, const std::map<std::string, Score>& sco
 
 int evaluate(const MetricFlags& flags) {
     const Registry<MetricUnit> registry = get_units().metrics;
-    const std::vector<const MetricUnit*> metrics =
+    const std::vector<ChosenMetric> metrics =
         choose_metrics(registry, flags.metrics, flags.self_test);
     if (flags.self_test) {
         return run_self_test(metrics);
@@ -265,17 +278,26 @@ int evaluate(const MetricFlags& flags) {
         evaluate_pair(pair, flags, metrics, scores);
     }
     nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    for (const MetricUnit* unit : metrics) {
-        const Score& score = scores.at(unit->name);
+    const auto print = [&](const std::string& name, const std::string& unit) {
+        const Score& score = scores.at(name);
         const std::optional<double> mean = score.mean();
         if (mean) {
-            object[unit->name] = *mean;
+            object[name] = *mean;
         } else {
-            object[unit->name] = nullptr;
-            fmt::print(stderr, "alcove: {} has no value: {}\n", unit->name, score.undefined_reason);
+            object[name] = nullptr;
+            fmt::print(stderr, "alcove: {} has no value: {}\n", name, score.undefined_reason);
         }
         if (!flags.json) {
-            fmt::print("{:<10}{} {}\n", unit->name, mean ? format_number(*mean) : "-", unit->unit);
+            fmt::print("{:<10}{} {}\n", name, mean ? format_number(*mean) : "-", unit);
+        }
+    };
+    for (const ChosenMetric& metric : metrics) {
+        print(metric.name, metric.resolved.unit->unit);
+        const std::string prefix = metric.name + ".";
+        for (const auto& [name, score] : scores) {
+            if (name.starts_with(prefix)) {
+                print(name, "");
+            }
         }
     }
     if (flags.json) {
@@ -290,7 +312,9 @@ Action add_metric_verb(CLI::App& app) {
     auto flags = std::make_shared<MetricFlags>();
     app.add_option("test", flags->test, "image, or folder of frames");
     app.add_option("reference", flags->reference, "image, or folder of frames with the same names");
-    app.add_option("--metric", flags->metrics, "repeatable; default all of images")
+    app.add_option("--metric", flags->metrics,
+                   "NAME[@values|view|linear|codes][:key=value,...], repeatable; default all of "
+                   "images")
         ->expected(1)
         ->take_all();
     app.add_option("--domain", flags->domain,

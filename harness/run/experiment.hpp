@@ -90,7 +90,7 @@ struct Experiment {
     /// What errors are measured against.
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     int reference_rays_per_half = 32;
-    std::vector<std::string> metrics; ///< names; empty: all that are reported
+    std::vector<std::string> metrics; ///< parse_metric_spec; empty: list_default_metrics
     /// Errors of single frames taken apart (DESIGN 3.7), and the best monotone curve of a method.
     bool explains_errors = false;
     std::uint64_t shuffle_seed = 1;

@@ -7,6 +7,7 @@
 #include "harness/run/calibration.hpp"
 #include "harness/run/experiment_texts.hpp"
 #include "harness/run/grid.hpp"
+#include "harness/run/metric_spec.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/strict_toml.hpp"
 
@@ -80,11 +81,8 @@ class ExperimentReader {
                               [&] { m_experiment.reference = read_spec(*reference, "reference"); });
         }
         if (const auto metrics = m_root.get_strings("metrics")) {
-            m_root.with_place("metrics", [&] {
-                for (const std::string& metric : *metrics) {
-                    static_cast<void>(m_units.metrics.find(metric));
-                }
-            });
+            m_root.with_place("metrics",
+                              [&] { check_metric_specs(m_units.metrics, *metrics, "metrics"); });
             m_experiment.metrics = *metrics;
         }
     }

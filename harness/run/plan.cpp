@@ -4,6 +4,7 @@
 #include "harness/run/calibration.hpp"
 #include "harness/run/effects_planner.hpp"
 #include "harness/run/history_record.hpp"
+#include "harness/run/metric_spec.hpp"
 #include "harness/run/repeat_rule.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
@@ -52,13 +53,6 @@ std::vector<SegmentRecord> choose_segments(const FrameChoice& frames, int frame_
     return segments;
 }
 
-/// Those the experiment names, else all that are reported.
-bool is_asked_for(const Experiment& experiment, const MetricUnit& unit) {
-    const std::vector<std::string>& names = experiment.metrics;
-    return names.empty() ? unit.reported
-                         : std::find(names.begin(), names.end(), unit.name) != names.end();
-}
-
 /// The walkthrough's own events and its cuts, in order.
 std::vector<EventRecord> list_events(const Walkthrough& walkthrough) {
     std::vector<EventRecord> events;
@@ -75,6 +69,22 @@ std::vector<EventRecord> list_events(const Walkthrough& walkthrough) {
     return events;
 }
 
+/// Under its specification, with what differs from the unit in the definition.
+MetricDescription describe_metric(const Units& units, const std::string& text) {
+    const ResolvedMetric metric = resolve_metric(units.metrics, parse_metric_spec(text, "metrics"));
+    const MetricUnit& unit = *metric.unit;
+    const bool is_plain = text == unit.name;
+    const std::string parameters = metric.parameters.to_text();
+    return {text,
+            is_plain ? unit.title : unit.title + " (" + text + ")",
+            unit.unit,
+            parameters.empty() ? unit.definition : unit.definition + " Here: " + parameters + ".",
+            unit.blind_to,
+            std::string(to_text(metric.domain)),
+            unit.is_temporal() ? "temporal" : "image",
+            unit.direction == Direction::lower_is_better};
+}
+
 void describe_units(const Experiment& experiment, const Units& units, PlanRecord& record) {
     std::set<std::string> methods;
     for (const RoundRecord& round : record.rounds) {
@@ -87,14 +97,11 @@ void describe_units(const Experiment& experiment, const Units& units, PlanRecord
         const MethodUnit& unit = units.methods.find(name);
         record.methods.push_back({unit.name, unit.title, unit.citation, unit.content_hash});
     }
-    for (const MetricUnit& unit : units.metrics.units()) {
-        if (is_asked_for(experiment, unit)) {
-            record.metrics.push_back({unit.name, unit.title, unit.unit, unit.definition,
-                                      unit.blind_to,
-                                      unit.domain == MetricDomain::values ? "values" : "view",
-                                      unit.is_temporal() ? "temporal" : "image",
-                                      unit.direction == Direction::lower_is_better});
-        }
+    const std::vector<std::string> metrics =
+        experiment.metrics.empty() ? list_default_metrics(units.metrics) : experiment.metrics;
+    check_metric_specs(units.metrics, metrics, "metrics");
+    for (const std::string& text : metrics) {
+        record.metrics.push_back(describe_metric(units, text));
     }
     for (const HistoryNumberInfo& number : list_history_numbers()) {
         record.metrics.push_back({number.name, number.title, number.unit, number.definition,

@@ -27,14 +27,14 @@ RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vect
         if (metric.kind == "history") {
             continue; // no unit: numbers that histories carry (history_record)
         }
-        const MetricUnit& unit = stage.units().metrics.find(metric.name);
-        const ResolvedParameters defaults = unit.parameters.resolve({}, {});
-        if (!unit.is_temporal()) {
-            m_metrics.emplace_back(&unit, unit.create(defaults));
+        const ResolvedMetric resolved = resolve_metric(
+            stage.units().metrics, parse_metric_spec(metric.name, "metric of the plan"));
+        if (!resolved.unit->is_temporal()) {
+            m_metrics.push_back({metric.name, resolved, resolved.create()});
             continue;
         }
         for (CellSequence& cell : m_cells) {
-            cell.metrics.emplace_back(&unit, unit.create_temporal(defaults));
+            cell.metrics.push_back({metric.name, resolved.unit, resolved.create_temporal()});
         }
     }
 }
@@ -75,8 +75,8 @@ void RoundCapture::capture_frame(std::size_t index) {
         m_sequence.reset();
         for (CellSequence& cell : m_cells) {
             cell.history.reset();
-            for (const auto& [unit, metric] : cell.metrics) {
-                metric->reset();
+            for (const SequenceMetric& sequence : cell.metrics) {
+                sequence.metric->reset();
             }
         }
     }
@@ -192,18 +192,14 @@ void RoundCapture::measure_images(const MethodCell& cell, const CellImages& imag
                                   const Shot& shot) {
     const WallTime wall(m_done.metrics_s);
     const MetricInput input{images.visibility, shot.truth.mean, shot.truth.a(), shot.truth.b()};
-    for (const auto& [unit, metric] : m_metrics) {
-        MetricRow row = make_row(cell, images, shot, unit->name);
-        if (std::min(m_stage.size().width, m_stage.size().height) < unit->smallest_side) {
-            row.note = "image smaller than the metric's window";
-        } else {
-            const MetricResult result =
-                evaluate_in_domain(*unit, *metric, input, Domain::visibility);
-            row.value = result.value;
-            row.debiased = result.debiased;
-            row.floor = result.floor;
-            row.note = result.undefined_reason;
-        }
+    for (const ImageMetric& image : m_metrics) {
+        MetricRow row = make_row(cell, images, shot, image.name);
+        const MetricResult result = evaluate_in_domain(*image.resolved.unit, *image.metric, input,
+                                                       Domain::visibility, image.resolved.domain);
+        row.value = result.value;
+        row.debiased = result.debiased;
+        row.floor = result.floor;
+        row.note = result.undefined_reason;
         m_rows.push_back(std::move(row));
     }
 }
@@ -227,12 +223,12 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
                             .history_state =
                                 images.history_state ? &*images.history_state : nullptr,
                             .is_last = shot.is_last};
-        for (const auto& [unit, metric] : sequence.metrics) {
+        for (const auto& [name, unit, metric] : sequence.metrics) {
             std::optional<MetricResult> result = metric->add(frame);
             if (!result) {
                 continue;
             }
-            MetricRow row = make_row(cell, images, shot, unit->name);
+            MetricRow row = make_row(cell, images, shot, name);
             row.value = result->value;
             row.debiased = result->debiased;
             row.floor = result->floor;

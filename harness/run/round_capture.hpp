@@ -2,7 +2,7 @@
 // The capture replay of a round (DESIGN 3.2): takes images, measures them against truth, and stores
 // no time. Bursts are followed as sequences: metrics over time, histories, a film.
 
-#include "core/contract/temporal_metric.hpp"
+#include "harness/run/metric_spec.hpp"
 #include "harness/run/round_pictures.hpp"
 #include "harness/run/round_reuse.hpp"
 #include "harness/run/sequence_truth.hpp"
@@ -23,9 +23,20 @@ class RoundCapture {
     void run(const std::function<void()>& frame_done);
 
   private:
+    /// `name` is the specification, which is the column's name.
+    struct ImageMetric {
+        std::string name;
+        ResolvedMetric resolved;
+        std::unique_ptr<Metric> metric;
+    };
+    struct SequenceMetric {
+        std::string name;
+        const MetricUnit* unit;
+        std::unique_ptr<TemporalMetric> metric;
+    };
     /// One cell's way through a sequence.
     struct CellSequence {
-        std::vector<std::pair<const MetricUnit*, std::unique_ptr<TemporalMetric>>> metrics;
+        std::vector<SequenceMetric> metrics;
         HistoryRecord history;
         std::vector<Image> flicker; ///< |D| of each frame of the film
     };
@@ -66,7 +77,7 @@ class RoundCapture {
     RoundPictures m_pictures;
     std::unique_ptr<TruthSource> m_truth;
     SequenceTruth m_sequence;
-    std::vector<std::pair<const MetricUnit*, std::unique_ptr<Metric>>> m_metrics;
+    std::vector<ImageMetric> m_metrics;
     std::vector<CellSequence> m_cells; ///< one a cell of the stage
     bool m_has_singles;
 };

@@ -2,6 +2,7 @@
 
 #include "harness/run/build_info.hpp"
 #include "harness/run/environment.hpp"
+#include "harness/run/metric_spec.hpp"
 
 #include <algorithm>
 #include <map>
@@ -76,7 +77,8 @@ CaptureIngredients RoundReuse::describe_round() const {
     for (const MetricDescription& metric : plan.metrics) {
         metrics += metric.name + " ";
         if (metric.kind != "history") {
-            metric_sources += m_stage.units().metrics.find(metric.name).content_hash + " ";
+            const MetricSpec spec = parse_metric_spec(metric.name, "metric of the plan");
+            metric_sources += m_stage.units().metrics.find(spec.name).content_hash + " ";
         }
     }
     std::string reference = round.reference.method;

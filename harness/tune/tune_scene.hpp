@@ -10,9 +10,11 @@
 
 namespace alcove {
 
-/// What tuning measures with: the metric, and its instance.
+/// What tuning measures with: the metric as it was named, and its instance.
 struct TuneMetric {
+    std::string text;
     const MetricUnit* unit = nullptr;
+    MetricDomain domain = MetricDomain::values;
     std::unique_ptr<Metric> metric;
     /// Small is good, whatever the metric's direction.
     [[nodiscard]] double compute_cost(double value) const {

@@ -4,29 +4,40 @@ namespace alcove {
 namespace {
 
 /// mean of (a - b)(c - d)
-double compute_mean_product(const Image& a, const Image& b, const Image& c, const Image& d) {
-    const std::size_t count = a.values().size();
+double compute_mean_product(const Image& a, const Image& b, const Image& c, const Image& d,
+                            const PooledRegion& region) {
+    const auto channels = static_cast<std::size_t>(a.channels());
+    std::size_t i = 0;
     double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const double first =
-            static_cast<double>(a.values()[i]) - static_cast<double>(b.values()[i]);
-        const double second =
-            static_cast<double>(c.values()[i]) - static_cast<double>(d.values()[i]);
-        sum += first * second;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x, i += channels) {
+            if (!region.is_counted(x, y)) {
+                continue;
+            }
+            for (std::size_t k = i; k < i + channels; ++k) {
+                const double first =
+                    static_cast<double>(a.values()[k]) - static_cast<double>(b.values()[k]);
+                const double second =
+                    static_cast<double>(c.values()[k]) - static_cast<double>(d.values()[k]);
+                sum += first * second;
+            }
+        }
     }
-    return sum / static_cast<double>(count);
+    return sum / static_cast<double>(region.count() * channels);
 }
 
 } // namespace
 
-SquaredError compute_squared_error(const MetricInput& input) {
+SquaredError compute_squared_error(const MetricInput& input, const PooledRegion& region) {
+    ALCOVE_ASSERT(region.count() > 0 && region.size() == input.test.size(), "pixels to pool");
     SquaredError error;
-    error.mean = compute_mean_product(input.test, input.reference, input.test, input.reference);
+    error.mean =
+        compute_mean_product(input.test, input.reference, input.test, input.reference, region);
     if (input.reference_a != nullptr) {
         const Image& a = *input.reference_a;
         const Image& b = *input.reference_b;
-        error.debiased = compute_mean_product(input.test, a, input.test, b);
-        error.noise = 0.25 * compute_mean_product(a, b, a, b);
+        error.debiased = compute_mean_product(input.test, a, input.test, b, region);
+        error.noise = 0.25 * compute_mean_product(a, b, a, b, region);
     }
     return error;
 }

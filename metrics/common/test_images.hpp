@@ -15,5 +15,20 @@ namespace alcove {
 [[nodiscard]] Image make_noisy_ramp();
 /// One code everywhere, 64 x 64.
 [[nodiscard]] Image make_constant(int code);
+/// One colour everywhere, 64 x 64, three channels.
+[[nodiscard]] Image make_colour(int r, int g, int b);
+/// The sRGB code of one amount of linear light everywhere, 64 x 64.
+[[nodiscard]] Image make_encoded(float linear);
+/// Black with one white pixel at (32, 32), 64 x 64.
+[[nodiscard]] Image make_firefly();
+/// White where x < `edge`, else black, 64 x 64.
+[[nodiscard]] Image make_step(int edge);
+/// White where x + y is odd, else black, 64 x 64.
+[[nodiscard]] Image make_checkerboard();
+/// Codes (x, y, floor((x + y) / 2)), 256 x 256, three channels.
+[[nodiscard]] Image make_colour_ramp();
+/// The colour ramp with each code of channel c changed by (hash((y 256 + x) 3 + c) mod
+/// (2 amplitude + 1)) - amplitude, clamped to 0..255.
+[[nodiscard]] Image make_noisy_colour_ramp(int amplitude);
 
 } // namespace alcove

@@ -12,12 +12,17 @@ class Mse final : public Metric {
   public:
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "mse");
-        const SquaredError error = compute_squared_error(input);
+        const PooledRegion region(input.mask, input.test.size());
         MetricResult result;
+        region.report(result);
+        result.map = make_squared_error_map(input);
+        if (region.count() == 0) {
+            return result;
+        }
+        const SquaredError error = compute_squared_error(input, region);
         result.value = error.mean;
         result.debiased = error.debiased;
         result.floor = error.noise;
-        result.map = make_squared_error_map(input);
         return result;
     }
 };

@@ -13,8 +13,13 @@ class Psnr final : public Metric {
   public:
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "psnr");
-        const SquaredError error = compute_squared_error(input);
+        const PooledRegion region(input.mask, input.test.size());
         MetricResult result;
+        region.report(result);
+        if (region.count() == 0) {
+            return result;
+        }
+        const SquaredError error = compute_squared_error(input, region);
         if (error.mean > 0.0) {
             result.value = -10.0 * std::log10(error.mean);
         } else {

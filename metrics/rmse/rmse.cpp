@@ -14,18 +14,23 @@ class Rmse final : public Metric {
   public:
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "rmse");
-        const SquaredError error = compute_squared_error(input);
+        const PooledRegion region(input.mask, input.test.size());
         MetricResult result;
+        region.report(result);
+        result.map = make_squared_error_map(input);
+        for (float& value : result.map->values()) {
+            value = std::sqrt(value);
+        }
+        if (region.count() == 0) {
+            return result;
+        }
+        const SquaredError error = compute_squared_error(input, region);
         result.value = std::sqrt(error.mean);
         if (error.debiased) {
             // Its expectation is the true squared error; by chance it may fall below 0, which then
             // reads as 0.
             result.debiased = std::sqrt(std::max(0.0, *error.debiased));
             result.floor = std::sqrt(*error.noise);
-        }
-        result.map = make_squared_error_map(input);
-        for (float& value : result.map->values()) {
-            value = std::sqrt(value);
         }
         return result;
     }

@@ -1,5 +1,6 @@
 #include "metrics/template_metric/template_metric.hpp"
 
+#include "metrics/common/pooled_region.hpp"
 #include "metrics/common/test_images.hpp"
 
 #include <algorithm>
@@ -13,12 +14,21 @@ class LargestDifference final : public Metric {
   public:
     MetricResult evaluate(const MetricInput& input) const override {
         check_metric_input(input, "template_metric");
-        double largest = 0.0;
-        for (std::size_t i = 0; i < input.test.values().size(); ++i) {
-            const float difference = input.test.values()[i] - input.reference.values()[i];
-            largest = std::max(largest, static_cast<double>(std::abs(difference)));
-        }
+        const PooledRegion region(input.mask, input.test.size());
         MetricResult result;
+        region.report(result);
+        if (region.count() == 0) {
+            return result;
+        }
+        double largest = 0.0;
+        for (int y = 0; y < input.test.height(); ++y) {
+            for (int x = 0; x < input.test.width(); ++x) {
+                for (int c = 0; c < input.test.channels() && region.is_counted(x, y); ++c) {
+                    const float difference = input.test.at(x, y, c) - input.reference.at(x, y, c);
+                    largest = std::max(largest, static_cast<double>(std::abs(difference)));
+                }
+            }
+        }
         result.value = largest;
         return result;
     }

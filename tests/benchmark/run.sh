@@ -5,7 +5,7 @@ set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
-cmake --build "$root/build/release" --target alcove benchmark_ssim benchmark_tracer benchmark_overhead \
+cmake --build "$root/build/release" --target alcove benchmark_metrics benchmark_tracer benchmark_overhead \
     benchmark_tssao benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
     exit 1
 work=$(mktemp -d)
@@ -55,7 +55,7 @@ measure() {
     report "  its first provisional row" 20 "$(awk -v a="$begin" -v b="${first:-$end}" 'BEGIN { print b - a }')"
 }
 
-"$bin/benchmark_ssim"
+"$bin/benchmark_metrics"
 note $?
 "$bin/benchmark_tracer"
 note $?

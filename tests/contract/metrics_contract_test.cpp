@@ -5,6 +5,8 @@
 #include "metrics/common/planted_sequence.hpp"
 #include "metrics/registry.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -62,11 +64,24 @@ Image make_image(int channels = 1, ImageSize size = {48, 40}) {
 
 class ImageMetricContract : public testing::TestWithParam<MetricUnit> {
   protected:
+    /// Large enough for the metric, of odd and even side.
+    static ImageSize size() {
+        return {std::max(48, GetParam().smallest_side), std::max(41, GetParam().smallest_side)};
+    }
+    static Image make_fitting_image(int channels = 1) { return make_image(channels, size()); }
+    static Image add_noise(const Image& image, float noise) {
+        Image noisy = image;
+        for (std::size_t i = 0; i < noisy.values().size(); ++i) {
+            noisy.values()[i] += ((i * 2654435761u) >> 13) % 2 == 0 ? noise : -noise;
+        }
+        return noisy;
+    }
+
     std::unique_ptr<Metric> m_metric = GetParam().create(GetParam().parameters.resolve({}, {}));
 };
 
 TEST_P(ImageMetricContract, AnImageAgainstItselfIsTheBestValue) {
-    const Image image = make_image();
+    const Image image = make_fitting_image();
     const MetricResult result = m_metric->evaluate({image, image});
     EXPECT_EQ(result.value.has_value(), GetParam().best.has_value());
     if (result.value) {
@@ -77,14 +92,11 @@ TEST_P(ImageMetricContract, AnImageAgainstItselfIsTheBestValue) {
 }
 
 TEST_P(ImageMetricContract, WorseImagesScoreWorse) {
-    const Image reference = make_image();
+    const Image reference = make_fitting_image();
     std::vector<double> values;
     for (const float noise : {0.05f, 0.1f, 0.2f}) {
-        Image test = reference;
-        for (std::size_t i = 0; i < test.values().size(); ++i) {
-            test.values()[i] += (i * 2654435761u) % 2 == 0 ? noise : -noise;
-        }
-        values.push_back(m_metric->evaluate({test, reference}).value.value());
+        values.push_back(
+            m_metric->evaluate({add_noise(reference, noise), reference}).value.value());
     }
     const double sign = GetParam().direction == Direction::lower_is_better ? 1.0 : -1.0;
     EXPECT_LT(sign * values[0], sign * values[1]);
@@ -92,23 +104,23 @@ TEST_P(ImageMetricContract, WorseImagesScoreWorse) {
 }
 
 TEST_P(ImageMetricContract, ADifferentSizeThrows) {
-    const Image a = make_image();
-    const Image b = make_image(1, {48, 41});
-    const Image c = make_image(3);
+    const Image a = make_fitting_image();
+    const Image b = make_image(1, {size().width, size().height + 1});
+    const Image c = make_fitting_image(3);
     EXPECT_THROW(static_cast<void>(m_metric->evaluate({a, b})), InputError);
     EXPECT_THROW(static_cast<void>(m_metric->evaluate({a, c})), InputError);
 }
 
 TEST_P(ImageMetricContract, NanAndInfinityThrow) {
-    const Image good = make_image();
+    const Image good = make_fitting_image();
     for (const float bad :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Image image = good;
         image.at(3, 4) = bad;
         EXPECT_THROW(static_cast<void>(m_metric->evaluate({image, good})), InputError);
         EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, image})), InputError);
-        EXPECT_THROW(static_cast<void>(
-                         evaluate_in_domain(GetParam(), *m_metric, {image, good}, Domain::linear)),
+        EXPECT_THROW(static_cast<void>(evaluate_in_domain(GetParam(), *m_metric, {image, good},
+                                                          Domain::linear, GetParam().domain)),
                      InputError)
             << "conversion must not hide it";
         EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &image, &good})),
@@ -120,6 +132,7 @@ TEST_P(ImageMetricContract, NanAndInfinityThrow) {
 
 TEST_P(ImageMetricContract, CheckValuesHold) {
     for (const MetricCheck& check : GetParam().checks) {
+        m_metric = GetParam().create(GetParam().parameters.resolve(check.parameters, {}));
         const Image test = check.make_test();
         const Image reference = check.make_reference();
         const MetricResult result = m_metric->evaluate({test, reference});
@@ -130,7 +143,7 @@ TEST_P(ImageMetricContract, CheckValuesHold) {
 }
 
 TEST_P(ImageMetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
-    const Image a = make_image();
+    const Image a = make_fitting_image();
     Image b = a;
     b.at(10, 10) = 0.9f;
     const MetricResult first = m_metric->evaluate({a, b});
@@ -139,6 +152,151 @@ TEST_P(ImageMetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
         EXPECT_EQ(first.map->width() + 2 * first.map_offset, a.width());
         EXPECT_EQ(first.map->height() + 2 * first.map_offset, a.height());
     }
+}
+
+TEST_P(ImageMetricContract, AMaskOfOnesIsNoMask) {
+    const Image reference = make_fitting_image();
+    const Image test = add_noise(reference, 0.1f);
+    const Image ones(size(), 1, 1.0f);
+    const MetricResult plain = m_metric->evaluate({test, reference});
+    const MetricResult masked = m_metric->evaluate({test, reference, nullptr, nullptr, &ones});
+    EXPECT_EQ(masked.value, plain.value);
+    ASSERT_EQ(masked.extras.size(), plain.extras.size());
+    for (std::size_t i = 0; i < plain.extras.size(); ++i) {
+        EXPECT_EQ(masked.extras[i].value, plain.extras[i].value) << plain.extras[i].name;
+    }
+    EXPECT_FALSE(plain.counted_pixels || plain.ignored_pixels);
+    EXPECT_EQ(masked.ignored_pixels, 0u);
+    EXPECT_GT(masked.counted_pixels.value(), 0u);
+}
+
+TEST_P(ImageMetricContract, CountedAndIgnoredPixelsAddUp) {
+    const Image reference = make_fitting_image();
+    const Image test = add_noise(reference, 0.1f);
+    Image half(size(), 1);
+    for (int y = 0; y < half.height(); ++y) {
+        for (int x = 0; x < half.width() / 2; ++x) {
+            half.at(x, y) = 1.0f;
+        }
+    }
+    const Image ones(size(), 1, 1.0f);
+    const MetricResult all = m_metric->evaluate({test, reference, nullptr, nullptr, &ones});
+    const MetricResult some = m_metric->evaluate({test, reference, nullptr, nullptr, &half});
+    EXPECT_EQ(*some.counted_pixels + *some.ignored_pixels, *all.counted_pixels);
+    EXPECT_NEAR(static_cast<double>(*some.counted_pixels),
+                0.5 * static_cast<double>(*all.counted_pixels),
+                0.1 * static_cast<double>(*all.counted_pixels));
+    EXPECT_TRUE(some.value);
+}
+
+TEST_P(ImageMetricContract, WhatLiesFarFromCountedPixelsDoesNotMatter) {
+    const Image reference = make_fitting_image();
+    const Image test = add_noise(reference, 0.1f);
+    // Counted: the left third. Changed: the rightmost eight columns, out of reach of its windows,
+    // halved as often as they may be.
+    Image mask(size(), 1);
+    Image changed = test;
+    Image changed_reference = reference;
+    for (int y = 0; y < mask.height(); ++y) {
+        for (int x = 0; x < mask.width() / 3; ++x) {
+            mask.at(x, y) = 1.0f;
+        }
+        for (int x = mask.width() - 8; x < mask.width(); ++x) {
+            changed.at(x, y) = 0.25f;
+            changed_reference.at(x, y) = 0.5f;
+        }
+    }
+    const auto evaluate = [&](const Image& a, const Image& b, const Image* counted) {
+        return m_metric->evaluate({a, b, nullptr, nullptr, counted});
+    };
+    if (GetParam().name == "ms_ssim" || GetParam().name == "hdr_flip") {
+        // The coarsest scale's windows reach everywhere; exposures are of the whole reference.
+        GTEST_SKIP();
+    }
+    EXPECT_EQ(evaluate(test, reference, &mask).value,
+              evaluate(changed, changed_reference, &mask).value);
+    EXPECT_NE(evaluate(test, reference, nullptr).value,
+              evaluate(changed, changed_reference, nullptr).value);
+}
+
+TEST_P(ImageMetricContract, AMaskThatCountsNothingLeavesNoValueAndSaysSo) {
+    const Image image = make_fitting_image();
+    const Image nothing(size(), 1);
+    const MetricResult result = m_metric->evaluate({image, image, nullptr, nullptr, &nothing});
+    EXPECT_FALSE(result.value);
+    EXPECT_NE(result.undefined_reason.find("mask"), std::string::npos);
+    EXPECT_EQ(result.counted_pixels, 0u);
+}
+
+TEST_P(ImageMetricContract, AMaskOfAnotherSizeOrWithOtherValuesThrows) {
+    const Image image = make_fitting_image();
+    const Image narrow({size().width - 1, size().height}, 1, 1.0f);
+    const Image deep(size(), 3, 1.0f);
+    Image grey(size(), 1, 1.0f);
+    grey.at(2, 3) = 0.5f;
+    for (const Image* mask : std::array<const Image*, 3>{&narrow, &deep, &grey}) {
+        EXPECT_THROW(static_cast<void>(m_metric->evaluate({image, image, nullptr, nullptr, mask})),
+                     InputError);
+    }
+}
+
+TEST_P(ImageMetricContract, EverySizeHasAValueOrAReason) {
+    for (const ImageSize size :
+         {ImageSize{1, 1}, {10, 8}, {11, 11}, {16, 16}, {17, 23}, {177, 179}}) {
+        for (const int channels : {1, 3}) {
+            const Image reference = make_image(channels, size);
+            const MetricResult same = evaluate_in_domain(
+                GetParam(), *m_metric, {reference, reference}, Domain::linear, GetParam().domain);
+            const MetricResult result =
+                evaluate_in_domain(GetParam(), *m_metric, {add_noise(reference, 0.1f), reference},
+                                   Domain::linear, GetParam().domain);
+            const bool is_small = std::min(size.width, size.height) < GetParam().smallest_side;
+            EXPECT_EQ(result.value.has_value(), !is_small) << size.width << "x" << size.height;
+            EXPECT_EQ(result.undefined_reason.empty(), !is_small);
+            if (!is_small && GetParam().best) {
+                EXPECT_NEAR(same.value.value(), *GetParam().best, 1e-12);
+                EXPECT_GE(*result.value, GetParam().minimum);
+                EXPECT_LE(*result.value, GetParam().maximum);
+            }
+        }
+    }
+}
+
+TEST_P(ImageMetricContract, ConstantsAndAShiftOfAPixelGiveFiniteValues) {
+    const Image reference = make_fitting_image();
+    Image shifted = reference;
+    for (int y = 0; y < reference.height(); ++y) {
+        for (int x = 1; x < reference.width(); ++x) {
+            shifted.at(x, y) = reference.at(x - 1, y);
+        }
+    }
+    const Image dark(size(), 1, 0.25f);
+    const Image bright(size(), 1, 0.75f);
+    const double sign = GetParam().direction == Direction::lower_is_better ? 1.0 : -1.0;
+    for (const MetricInput& input : {MetricInput{shifted, reference}, MetricInput{dark, bright}}) {
+        const double value = m_metric->evaluate(input).value.value();
+        EXPECT_TRUE(std::isfinite(value));
+        if (GetParam().best) {
+            EXPECT_GT(sign * value, sign * *GetParam().best);
+        }
+    }
+}
+
+TEST_P(ImageMetricContract, GreyIsColourWithEqualChannels) {
+    if (GetParam().luma) {
+        GTEST_SKIP() << "colour is reduced to luma before it";
+    }
+    const Image grey = make_fitting_image();
+    const Image noisy = add_noise(grey, 0.1f);
+    const auto repeat = [](const Image& image) {
+        Image colour(image.size(), 3);
+        for (std::size_t i = 0; i < colour.values().size(); ++i) {
+            colour.values()[i] = image.values()[i / 3];
+        }
+        return colour;
+    };
+    EXPECT_NEAR(m_metric->evaluate({noisy, grey}).value.value(),
+                m_metric->evaluate({repeat(noisy), repeat(grey)}).value.value(), 2e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ImageMetricContract, testing::ValuesIn(list_metrics(false)),
