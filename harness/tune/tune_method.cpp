@@ -4,6 +4,7 @@
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
 #include "harness/run/calibration.hpp"
+#include "harness/run/metric_spec.hpp"
 #include "harness/tune/free_parameter.hpp"
 #include "harness/tune/minimiser.hpp"
 #include "harness/tune/tune_scene.hpp"
@@ -28,13 +29,11 @@ struct FrameOf {
 };
 
 TuneMetric make_metric(const Units& units, const std::string& name, std::string_view option) {
-    TuneMetric metric;
-    metric.unit = &units.metrics.find(name);
-    if (metric.unit->is_temporal()) {
+    const ResolvedMetric resolved = resolve_metric(units.metrics, parse_metric_spec(name, option));
+    if (resolved.unit->is_temporal()) {
         throw InputError(option, "is over time", name, "a metric of images");
     }
-    metric.metric = metric.unit->create(metric.unit->parameters.resolve({}, {}));
-    return metric;
+    return {name, resolved.unit, resolved.domain, resolved.create()};
 }
 
 std::string make_id(const std::string& label, std::set<std::string>& taken) {
@@ -184,7 +183,7 @@ class MethodTuner {
 TuneJudgementRecord judge(const std::vector<FrameOf>& frames, const MethodSpec& before,
                           const MethodSpec& after, const TuneMetric& metric) {
     TuneJudgementRecord record;
-    record.metric = metric.unit->name;
+    record.metric = metric.text;
     record.frames = static_cast<int>(frames.size());
     std::vector<double> old_values;
     std::vector<double> new_values;

@@ -80,7 +80,7 @@ double TuneScene::measure(const TuneMetric& metric, const Image& image, std::siz
         evaluate_in_domain(*metric.unit, *metric.metric, {image, truth.mean, truth.a(), truth.b()},
                            Domain::visibility);
     if (!result.value) {
-        throw InputError("tune", metric.unit->name + " has no value: " + result.undefined_reason,
+        throw InputError("tune", metric.text + " has no value: " + result.undefined_reason,
                          name() + " frame " + std::to_string(frame_index(frame)), "another metric");
     }
     return result.debiased.value_or(*result.value);
