@@ -121,6 +121,9 @@ Json list_parameters(const Units& units) {
     for (const MethodUnit& unit : units.methods.units()) {
         object[unit.name] = describe_parameters_json(unit.parameters);
     }
+    for (const MetricUnit& unit : units.metrics.units()) {
+        object[unit.name] = describe_parameters_json(unit.parameters);
+    }
     for (const SceneUnit& unit : units.scenes.units()) {
         object[unit.name] = describe_parameters_json(unit.parameters);
     }

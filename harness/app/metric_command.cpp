@@ -225,8 +225,11 @@ void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
         const MetricResult result = refusal ? std::move(*refusal) : evaluate_files();
         add_value(scores[chosen.name], result.value,
                   pair.test.string() + ": " + result.undefined_reason);
-        for (const NamedValue& extra : result.extras) {
-            add_value(scores[chosen.name + "." + extra.name], extra.value, "");
+        // A JSON of all metrics holds their names alone.
+        if (!flags.metrics.empty()) {
+            for (const NamedValue& extra : result.extras) {
+                add_value(scores[chosen.name + "." + extra.name], extra.value, "");
+            }
         }
         if (!flags.map_folder.empty() && result.map) {
             const std::string name = pair.test.stem().string() + "_" + chosen.name + ".exr";

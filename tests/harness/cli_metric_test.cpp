@@ -171,6 +171,40 @@ TEST_F(MetricVerb, CheckValuesOfTheDefinitionsHold) {
     EXPECT_EQ(result.out.find("FAILED"), std::string::npos);
 }
 
+TEST_F(MetricVerb, SelfTestNamesExpectedGotDifferenceToleranceAndSource) {
+    const ChildResult result = run({"metric", "--self-test", "--metric", "flip"});
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    for (const char* part : {"expected 0.967388", "got 0.9673", "difference", "tolerance 2.0e-05",
+                             "NVIDIA FLIP.h 1.6"}) {
+        EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
+    }
+}
+
+TEST_F(MetricVerb, ASpecificationIsTheKeyOfItsNumber) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string b = write_exr_file("b.exr", make_visibility(0.3));
+    const json scores =
+        evaluate({a, b, "--metric", "flip", "--metric", "flip@codes", "--metric", "flip:ppd=30"});
+    EXPECT_GT(std::abs(scores.at("flip").get<double>() - scores.at("flip@codes").get<double>()),
+              0.01);
+    EXPECT_NE(scores.at("flip").get<double>(), scores.at("flip:ppd=30").get<double>());
+    EXPECT_GT(scores.at("flip.max").get<double>(), scores.at("flip").get<double>());
+    expect_refused({"metric", a, b, "--metric", "flip@code"}, 2, {"code", "codes"});
+    expect_refused({"metric", a, b, "--metric", "flip:ppd=0"}, 2, {"ppd"});
+}
+
+TEST_F(MetricVerb, AnImageThatIsTooSmallHasNoValueAndSaysSo) {
+    const std::string a = write_exr_file("small_a.exr", Image({10, 8}, 1, 0.5f));
+    const std::string b = write_exr_file("small_b.exr", Image({10, 8}, 1, 0.25f));
+    const ChildResult result = run({"metric", a, b, "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json scores = json::parse(result.out);
+    EXPECT_TRUE(scores.at("ssim").is_null());
+    EXPECT_EQ(scores.at("mae").get<double>(), 0.25);
+    EXPECT_NE(result.err.find("ssim has no value"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("11 pixels"), std::string::npos) << result.err;
+}
+
 TEST_F(MetricVerb, MapsAreWritten) {
     const std::string a = write_exr_file("a.exr", make_visibility(0.0));
     const std::string b = write_exr_file("b.exr", make_visibility(0.3));

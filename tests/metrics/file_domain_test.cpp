@@ -1,11 +1,13 @@
 // DESIGN 3.10: EXR and PNG of the same visibility images give the same numbers up to the PNG's
 // quantisation.
 #include "core/base/image_file.hpp"
+#include "metrics/flip/flip.hpp"
 #include "metrics/registry.hpp"
 #include "metrics/ssim/ssim.hpp"
 #include "tests/harness/temporary_folder.hpp"
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -16,8 +18,8 @@ class FileDomainTest : public testing::Test {
   protected:
     /// A metric over two visibility images that went through files: EXR as linear visibility, PNG
     /// as sRGB codes of it.
-    double evaluate(const std::string& name, const Image& test, const Image& reference,
-                    bool as_png) {
+    double evaluate(const std::string& name, const Image& test, const Image& reference, bool as_png,
+                    std::optional<MetricDomain> wanted = std::nullopt) {
         const auto store = [&](const Image& image, const char* file) {
             const std::filesystem::path path =
                 m_folder.path() / (std::string(file) + (as_png ? ".png" : ".exr"));
@@ -35,7 +37,8 @@ class FileDomainTest : public testing::Test {
         const Registry<MetricUnit> registry = metrics_registry();
         const MetricUnit& unit = registry.find(name);
         const auto metric = unit.create(unit.parameters.resolve({}, {}));
-        return evaluate_in_domain(unit, *metric, {first.image, second.image}, first.domain)
+        return evaluate_in_domain(unit, *metric, {first.image, second.image}, first.domain,
+                                  wanted.value_or(unit.domain))
             .value.value();
     }
 
@@ -43,10 +46,10 @@ class FileDomainTest : public testing::Test {
     TemporaryFolder m_folder;
 };
 
-Image make_visibility(float phase, float depth) {
-    Image image({64, 48}, 1);
-    for (int y = 0; y < 48; ++y) {
-        for (int x = 0; x < 64; ++x) {
+Image make_visibility(float phase, float depth, ImageSize size = {64, 48}) {
+    Image image(size, 1);
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
             const float wave = std::sin(0.21f * static_cast<float>(x) + phase) *
                                std::cos(0.17f * static_cast<float>(y));
             image.at(x, y) = 1.0f - depth * (0.5f + 0.5f * wave);
@@ -95,6 +98,51 @@ TEST_F(FileDomainTest, SsimAgreesWithinQuantisation) {
     // factor that stands beside C2 = 9e-4 or more: 2 x 1.3e-6 / 9e-4 = 0.003 at most; means move by
     // less.
     EXPECT_NEAR(png, exr, 0.003);
+}
+
+/// Wide enough for every metric. What 8 bits may change: the largest error and its 95th percentile
+/// by both images' quantisation; the others by what was seen (in brackets) with some room.
+TEST_F(FileDomainTest, EveryOtherImageMetricAgreesWithinQuantisation) {
+    const Image test = make_visibility(0.0f, 0.8f, {192, 180});
+    const Image reference = make_visibility(0.4f, 0.7f, {192, 180});
+    const std::map<std::string, double> bounds{
+        {"mae", 2.0 * kQuantisation},
+        {"p95_error", 2.0 * kQuantisation},
+        {"max_error", 2.0 * kQuantisation},
+        {"ms_ssim", 0.003},
+        {"gmsd", 0.003},
+        {"flip", 0.003},
+        {"hdr_flip", 0.01},
+    };
+    const Registry<MetricUnit> registry = metrics_registry();
+    for (const MetricUnit& unit : registry.units()) {
+        const bool is_elsewhere =
+            unit.name == "mse" || unit.name == "rmse" || unit.name == "psnr" || unit.name == "ssim";
+        if (unit.is_temporal() || !unit.reported || is_elsewhere) {
+            continue;
+        }
+        ASSERT_TRUE(bounds.contains(unit.name)) << unit.name << " needs a bound";
+        const double exr = evaluate(unit.name, test, reference, false);
+        const double png = evaluate(unit.name, test, reference, true);
+        EXPECT_NEAR(png, exr, bounds.at(unit.name)) << unit.name;
+        // Far from the best value, so that the bound says something.
+        EXPECT_GT(std::abs(exr - *unit.best), 3.0 * bounds.at(unit.name)) << unit.name;
+    }
+}
+
+TEST_F(FileDomainTest, CodesAreTakenAsTheyAreStored) {
+    const Image test = make_visibility(0.0f, 0.8f);
+    const Image reference = make_visibility(0.4f, 0.7f);
+    const MetricUnit unit = flip_unit();
+    const auto metric = unit.create(unit.parameters.resolve({}, {}));
+    // An EXR holds visibility itself, a PNG its view.
+    EXPECT_EQ(evaluate("flip", test, reference, false, MetricDomain::codes),
+              metric->evaluate({test, reference}).value.value());
+    EXPECT_EQ(evaluate("flip", test, reference, true, MetricDomain::codes),
+              evaluate("flip", test, reference, true));
+    EXPECT_GT(std::abs(evaluate("flip", test, reference, false, MetricDomain::codes) -
+                       evaluate("flip", test, reference, false)),
+              0.01);
 }
 
 } // namespace
