@@ -149,11 +149,12 @@ Fitness judge_fitness(const RoundDone& done, const ContextRecord& context,
     }
     if (!memories.empty()) {
         fitness.memory = compute_median(memories);
-        if (*fitness.memory > compute_lag1_bound(repeats)) {
+        const double limit = std::max(kMemoryFloor, compute_lag1_bound(repeats));
+        if (*fitness.memory > limit) {
             judge.doubt(fmt::format(
                 "repeats resemble the ones before (lag-1 autocorrelation {}, limit {}): intervals "
                 "hold the truth less often than they say",
-                format_rounded(*fitness.memory), format_rounded(compute_lag1_bound(repeats))));
+                format_rounded(*fitness.memory), format_rounded(limit)));
         }
     }
     return fitness;

@@ -98,6 +98,9 @@ TEST(Fitness, RepeatsThatResembleTheOnesBeforeRaiseDoubt) {
     const Fitness fitness = judge({make_quiet()}, 0.01, {0.1, 0.5, 0.9}, 24);
     EXPECT_EQ(fitness.verdict, MachineVerdict::doubtful);
     EXPECT_EQ(fitness.memory, 0.5);
+    // surely there in 2400 repeats, and too little to matter
+    EXPECT_EQ(judge({make_quiet()}, 0.01, {0.09}, 2400).verdict, MachineVerdict::fit);
+    EXPECT_EQ(judge({make_quiet()}, 0.01, {0.11}, 2400).verdict, MachineVerdict::doubtful);
 }
 
 TEST(Fitness, StandsInEveryReport) {
