@@ -23,7 +23,7 @@ TEST_F(MetricSpecTest, ANameAloneIsTheUnitAsItIs) {
     const ResolvedMetric metric = resolve("flip");
     EXPECT_EQ(metric.unit->name, "flip");
     EXPECT_EQ(metric.domain, MetricDomain::view);
-    EXPECT_NEAR(std::get<double>(metric.parameters.get("ppd")), 67.020645, 1e-6);
+    EXPECT_NEAR(std::get<double>(metric.parameters.get("ppd")), 67.020643, 1e-6);
 }
 
 TEST_F(MetricSpecTest, DomainAndParametersAreTaken) {

@@ -81,8 +81,9 @@ TEST(Flip, ViewingConditionsGiveThePixelsADegree) {
     const auto get_ppd = [&](const std::vector<ParameterOverride>& overrides) {
         return std::get<double>(unit.parameters.resolve(overrides, {}).get("ppd"));
     };
-    EXPECT_NEAR(get_ppd({}), 67.020645, 1e-6);
-    EXPECT_NEAR(get_ppd({{"distance_m", "1.4", Provenance::command_line}}), 2 * 67.020645, 2e-6);
+    // 0.7 3840 / 0.7 pi / 180; single precision prints 67.020645.
+    EXPECT_NEAR(get_ppd({}), 67.020643, 1e-6);
+    EXPECT_NEAR(get_ppd({{"distance_m", "1.4", Provenance::command_line}}), 2 * 67.020643, 2e-6);
     EXPECT_EQ(get_ppd({{"ppd", "30", Provenance::command_line}}), 30.0);
     EXPECT_THROW(get_ppd({{"ppd", "0.5", Provenance::command_line}}), InputError);
     EXPECT_THROW(get_ppd({{"ppi", "30", Provenance::command_line}}), InputError);
