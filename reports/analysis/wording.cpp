@@ -186,6 +186,9 @@ std::string describe_effects(const RoundAnalysis& round) {
 
 std::string describe_verdict(const RoundAnalysis& round) {
     const std::string front = list_front(round);
+    if (std::none_of(round.cells.begin(), round.cells.end(), is_compared)) {
+        return "Nothing is compared here: native settings, or no method.";
+    }
     if (front.empty()) {
         return "No method has both a time and an error here.";
     }

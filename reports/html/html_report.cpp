@@ -87,11 +87,14 @@ std::string make_header(const RunAnalysis& analysis, bool in_progress) {
         escape_html(analysis.context.started_utc), make_fitness(analysis));
 }
 
-std::string make_navigation(const RunAnalysis& analysis, bool has_tradeoff) {
+std::string make_navigation(const RunAnalysis& analysis, bool has_targets, bool has_tradeoff) {
     std::string text = "<nav aria-label=\"Sections\">";
     for (const RoundAnalysis& round : analysis.rounds) {
         text += fmt::format("<a href=\"#round-{}\">{}</a>", round.round.id,
                             escape_html(round.round.scene));
+    }
+    if (has_targets) {
+        text += "<a href=\"#targets\">Targets</a>";
     }
     if (has_tradeoff) {
         text += "<a href=\"#tradeoff\">Time against accuracy</a>";
@@ -142,15 +145,16 @@ void write_html_report(const RunFolder& run, const HtmlOptions& options) {
     const std::filesystem::path folder = options.out.empty() ? run.path() / "report" : options.out;
     const PictureFinder finder(run.path(), folder);
     const RunAnalysis analysis = analyze_run(run, options.provisional);
+    const std::string targets = make_target_section(analysis);
     const std::string tradeoff = make_tradeoff_section(analysis);
     std::string page = make_page_head(analysis.plan.experiment, {true, true}, {"report.css"}) +
                        make_header(analysis, options.in_progress) +
-                       make_navigation(analysis, !tradeoff.empty()) + "<main>\n" +
+                       make_navigation(analysis, !targets.empty(), !tradeoff.empty()) + "<main>\n" +
                        make_chart_notice();
     for (const RoundAnalysis& round : analysis.rounds) {
         page += make_round_section(analysis, round, finder);
     }
-    page += make_target_section(analysis) + tradeoff + make_unfinished_section(analysis) +
+    page += targets + tradeoff + make_unfinished_section(analysis) +
             make_skipped_section(analysis) + make_environment_section(analysis) +
             make_definitions_section(analysis) + "</main>\n" + make_footer(finder) +
             make_script(analysis, finder) + "</body></html>\n";
