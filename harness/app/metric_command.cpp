@@ -212,7 +212,9 @@ void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
     }
     for (const ChosenMetric& chosen : metrics) {
         const MetricUnit& unit = *chosen.resolved.unit;
-        check_metric_input({test.image, reference.image}, unit.name);
+        // One that was named is refused on a small image; of all metrics it has no value.
+        check_metric_input({test.image, reference.image}, unit.name,
+                           flags.metrics.empty() ? 1 : unit.smallest_side);
         // Each file is brought to the metric's domain from its own: an EXR may be held against a
         // PNG.
         const auto evaluate_files = [&] {

@@ -154,7 +154,7 @@ struct MetricDescription {
     std::string unit;
     std::string definition;
     std::string blind_to;
-    std::string domain; ///< "values" or "view"
+    std::string domain; ///< "values", "view", "linear" or "codes"
     /// "image": of one frame; "temporal": of a sequence; "history": what a method says of its own
     /// history, neither good nor bad.
     std::string kind = "image";
