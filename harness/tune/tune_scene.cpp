@@ -78,7 +78,7 @@ double TuneScene::measure(const TuneMetric& metric, const Image& image, std::siz
     const Truth& truth = m_truths[frame];
     const MetricResult result =
         evaluate_in_domain(*metric.unit, *metric.metric, {image, truth.mean, truth.a(), truth.b()},
-                           Domain::visibility);
+                           Domain::visibility, metric.domain);
     if (!result.value) {
         throw InputError("tune", metric.text + " has no value: " + result.undefined_reason,
                          name() + " frame " + std::to_string(frame_index(frame)), "another metric");
