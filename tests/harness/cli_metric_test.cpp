@@ -1,5 +1,6 @@
 // `metric` over anybody's images, `list` and `reference`.
 
+#include "core/base/file.hpp"
 #include "core/base/image_file.hpp"
 #include "tests/harness/program.hpp"
 
@@ -145,11 +146,11 @@ TEST_F(MetricVerb, FoldersAreComparedFrameByFrame) {
     EXPECT_NE(first, second);
     EXPECT_DOUBLE_EQ(evaluate({test, truth}).at("mse").get<double>(), 0.5 * (first + second));
     write_exr_file("truth/0003.exr", make_visibility(0.0));
-    expect_refused({"metric", test, truth}, 2, {"same PNG and EXR names"});
+    expect_refused({"metric", test, truth}, 2, {"same PNG, EXR and HDR names", "0003.exr"});
     expect_refused({"metric", test, truth + "/0001.exr"}, 2, {"folder"});
     std::filesystem::create_directory(folder() / "nothing");
     expect_refused({"metric", (folder() / "nothing").string(), (folder() / "nothing").string()}, 2,
-                   {"nothing", "no PNG or EXR"});
+                   {"nothing", "no PNG, EXR or HDR"});
 }
 
 TEST_F(MetricVerb, AGateThatIsNotMetExitsThree) {
@@ -159,6 +160,13 @@ TEST_F(MetricVerb, AGateThatIsNotMetExitsThree) {
     const ChildResult missed = run({"metric", a, b, "--gate", "mse<1,rmse<=1e-6"});
     EXPECT_EQ(missed.exit_code, 3);
     EXPECT_NE(missed.err.find("rmse<=1e-6"), std::string::npos) << missed.err;
+    // Specifications that no --metric names are measured for the gate.
+    EXPECT_EQ(run({"metric", a, b, "--metric", "mse", "--gate", "flip:ppd=30,q=1<1"}).exit_code, 2);
+    EXPECT_EQ(run({"metric", a, b, "--metric", "mse", "--gate",
+                   "flip:distance_m=0.5,monitor_width_m=0.6<1,ssim@codes>=0,flip.max<=1"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(run({"metric", a, b, "--gate", "flip@codes<1e-9"}).exit_code, 3);
     // What has no value meets no gate.
     EXPECT_EQ(run({"metric", a, a, "--metric", "psnr", "--gate", "psnr>1"}).exit_code, 3);
     EXPECT_EQ(run({"metric", a, b, "--gate", "flib<1"}).exit_code, 2);
@@ -178,6 +186,23 @@ TEST_F(MetricVerb, SelfTestNamesExpectedGotDifferenceToleranceAndSource) {
                              "NVIDIA FLIP.h 1.6"}) {
         EXPECT_NE(result.out.find(part), std::string::npos) << part << "\n" << result.out;
     }
+}
+
+TEST_F(MetricVerb, SelfTestIsReadByMachinesToo) {
+    const json object = evaluate({"--self-test", "--metric", "flip:ppd=30", "--metric", "psnr"});
+    EXPECT_EQ(object.at("failed").get<int>(), 0);
+    std::set<std::string> metrics;
+    for (const json& check : object.at("checks")) {
+        metrics.insert(check.at("metric").get<std::string>());
+        EXPECT_TRUE(check.at("holds").get<bool>());
+        EXPECT_NEAR(check.at("got").get<double>() - check.at("expected").get<double>(),
+                    check.at("difference").get<double>(), 1e-12);
+        EXPECT_LE(std::abs(check.at("difference").get<double>()),
+                  check.at("tolerance").get<double>());
+        EXPECT_FALSE(check.at("source").get<std::string>().empty());
+    }
+    EXPECT_EQ(metrics, (std::set<std::string>{"flip", "psnr"}));
+    expect_refused({"metric", "--self-test", "--metric", "exec:sh"}, 2, {"no check values"});
 }
 
 TEST_F(MetricVerb, ASpecificationIsTheKeyOfItsNumber) {
@@ -210,6 +235,148 @@ TEST_F(MetricVerb, MapsAreWritten) {
     const std::string b = write_exr_file("b.exr", make_visibility(0.3));
     static_cast<void>(evaluate({a, b, "--metric", "mse", "--map", (folder() / "maps").string()}));
     EXPECT_EQ(read_image_file(folder() / "maps" / "a_mse.exr").image.size(), kSize);
+    EXPECT_EQ(read_image_file(folder() / "maps" / "a_mse.png").image.channels(), 3);
+}
+
+TEST_F(MetricVerb, FlipMapsAreMagmaOfTheValueInEightBits) {
+    // FLIP of black and white is 0.967388 everywhere: entry 247.
+    const std::string black = write_png_file("black.png", Image({16, 16}, 1, 0.0f));
+    const std::string white = write_png_file("white.png", Image({16, 16}, 1, 1.0f));
+    const std::string maps = (folder() / "flip_maps").string();
+    static_cast<void>(evaluate({black, white, "--metric", "flip:ppd=30", "--map", maps}));
+    const Image values = read_image_file(maps + "/black_flip_ppd=30.exr").image;
+    const Image colours = read_image_file(maps + "/black_flip_ppd=30.png").image;
+    EXPECT_EQ(std::lround(255.0f * values.at(8, 8)), 247);
+    // #fcecae in the published table.
+    EXPECT_EQ(std::lround(255.0f * colours.at(8, 8, 0)), 0xfc);
+    EXPECT_EQ(std::lround(255.0f * colours.at(8, 8, 1)), 0xec);
+    EXPECT_EQ(std::lround(255.0f * colours.at(8, 8, 2)), 0xae);
+}
+
+TEST_F(MetricVerb, RadianceFilesAreLinear) {
+    // Mantissas over 256, exponent 129: 2 * 128 / 256 = 1 and 2 * 64 / 256 = 0.5.
+    const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
+    const std::string one("\x80\x80\x80\x81", 4);
+    const std::string half("\x40\x40\x40\x81", 4);
+    const std::string a = write("a.hdr", head + one + one);
+    const std::string b = write("b.hdr", head + one + half);
+    EXPECT_NEAR(evaluate({a, b, "--metric", "mae"}).at("mae").get<double>(), 0.25, 0.005);
+    expect_refused({"metric", a, write("cut.hdr", head)}, 2, {"cut.hdr"});
+}
+
+TEST_F(MetricVerb, AMaskLeavesPixelsOutAndSaysHowMany) {
+    // The right half differs; the mask keeps the left one and one column more.
+    Image b = make_visibility(0.0);
+    Image mask(kSize, 1, 1.0f);
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 24; x < kSize.width; ++x) {
+            b.at(x, y) = 0.0f;
+            mask.at(x, y) = x == 24 ? 0.25f : 0.0f;
+        }
+    }
+    const std::string test = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string reference = write_exr_file("b.exr", b);
+    write_exr(folder() / "mask.exr", mask, Domain::linear);
+    const ChildResult result = run({"metric", test, reference, "--metric", "mae", "--mask",
+                                    "mask.exr", "--json", "--csv", "out/pairs.csv"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("1000 pixels counted, 920 ignored"), std::string::npos) << result.err;
+    double column = 0.0;
+    for (int y = 0; y < kSize.height; ++y) {
+        column += static_cast<double>(make_visibility(0.0).at(24, y));
+    }
+    EXPECT_NEAR(json::parse(result.out).at("mae").get<double>(), column / 1000.0, 1e-6);
+    const std::string csv = read_file(folder() / "out/pairs.csv");
+    EXPECT_NE(csv.find(",1000,920,"), std::string::npos) << csv;
+    write_exr(folder() / "none.exr", Image(kSize, 1, 0.0f), Domain::linear);
+    EXPECT_EQ(run({"metric", test, reference, "--mask", "none.exr", "--gate", "mae<1"}).exit_code,
+              3);
+    write_exr(folder() / "other.exr", Image({8, 8}, 1, 1.0f), Domain::linear);
+    expect_refused({"metric", test, reference, "--depth", "mask.exr"}, 2,
+                   {"mask.exr", "no depth", "(25, 0)"});
+    const ChildResult other = run({"metric", test, reference, "--mask", "other.exr"});
+    EXPECT_EQ(other.exit_code, 2);
+    EXPECT_NE(other.err.find("--mask: not the size"), std::string::npos) << other.err;
+}
+
+TEST_F(MetricVerb, ListsAreMeasuredPairByPair) {
+    write_exr_file("lists/a.exr", make_visibility(0.0));
+    write_exr_file("lists/sub/b.exr", make_visibility(0.3));
+    const std::string list = write("lists/list.csv", "test,reference\na.exr,sub/b.exr\n"
+                                                     "a.exr,a.exr\n");
+    const ChildResult result =
+        run({"metric", "--list", list, "--metric", "psnr", "--metric", "flip", "--json", "--csv",
+             "list_out.csv", "--map", "list_maps"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json scores = json::parse(result.out);
+    EXPECT_TRUE(scores.at("psnr").is_null());
+    EXPECT_GT(scores.at("flip").get<double>(), 0.0);
+    EXPECT_NE(result.err.find("1 of 2 pairs"), std::string::npos) << result.err;
+    EXPECT_EQ(count_lines(folder() / "list_out.csv"), 1u + 2u * 2u);
+    EXPECT_NE(read_file(folder() / "list_out.csv").find("weighted_median="), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder() / "list_maps/000002_a_flip.png"));
+    expect_refused({"metric", "--list", write("lists/bad.csv", "test,reference\n../a.exr,a.exr\n")},
+                   2, {"bad.csv:2", "../a.exr"});
+    expect_refused({"metric", list, "--list", list}, 2, {"--list"});
+    const std::string cut = write_png_file("lists/cut.png", make_visibility(0.0));
+    std::filesystem::resize_file(cut, std::filesystem::file_size(cut) / 2);
+    const ChildResult broken =
+        run({"metric", "--list", write("lists/cut.csv", "test,reference\na.exr,cut.png\n")});
+    EXPECT_EQ(broken.exit_code, 2);
+    EXPECT_EQ(broken.out, "");
+    EXPECT_NE(broken.err.find("cut.png"), std::string::npos) << broken.err;
+}
+
+TEST_F(MetricVerb, AHeaderOfABillionPixelsIsNotTrusted) {
+    const std::string huge = write("huge.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n"
+                                               "-Y 40000 +X 40000\n");
+    expect_refused({"metric", huge, huge}, 2, {"huge.hdr"});
+}
+
+TEST_F(MetricVerb, ProgramsGiveMetricsToo) {
+    const std::string a = write_exr_file("a.exr", make_visibility(0.0));
+    const std::string b = write_exr_file("b.exr", make_visibility(0.3));
+    const auto make_program = [](const std::string& name, const std::string& script) {
+        const std::string path = write(name, "#!/bin/sh\n" + script + "\n");
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+        return "exec:" + path;
+    };
+    const std::string lpips = make_program("lpips", "echo '{\"lpips\": 0.125}'");
+    const ChildResult good = run({"metric", a, b, "--metric", lpips, "--metric", "mse", "--json",
+                                  "--gate", "lpips<=0.125,flip<1"});
+    ASSERT_EQ(good.exit_code, 0) << good.err;
+    EXPECT_EQ(json::parse(good.out).at("lpips").get<double>(), 0.125);
+    EXPECT_EQ(run({"metric", a, b, "--metric", lpips, "--gate", "lpips<0.1"}).exit_code, 3);
+    expect_refused({"metric", a, b, "--metric", lpips, "--gate", "lpis<0.1", "--json"}, 2,
+                   {"lpis", "lpips"});
+    expect_refused({"metric", a, b, "--metric", make_program("ours", "echo '{\"ssim\":1}'")}, 2,
+                   {"ours", "ssim", "Alcove has itself"});
+    expect_refused({"metric", a, b, "--metric", lpips, "--metric",
+                    make_program("again", "echo '{\"lpips\":1}'")},
+                   2, {"again", "lpips", "another program"});
+    expect_refused({"metric", a, b, "--metric", make_program("dies", "echo oh no >&2; exit 4")}, 1,
+                   {"dies", "exit code 4", "oh no"});
+    expect_refused(
+        {"metric", a, b, "--metric", make_program("hangs", "sleep 600"), "--exec-timeout", "0.2"},
+        1, {"hangs", "in time"});
+    expect_refused({"metric", a, b, "--metric", lpips, "--exec-timeout", "0"}, 2,
+                   {"--exec-timeout"});
+    expect_refused({"metric", a, b, "--metric", "exec:no_such_program"}, 2, {"no_such_program"});
+    // Alcove itself is such a program.
+    EXPECT_EQ(
+        run({"metric", a, b, "--metric", "exec:" + program().string() + " list metrics"}).exit_code,
+        1);
+}
+
+TEST_F(MetricVerb, OnePixelIsMeasuredByWhatCan) {
+    const std::string a = write_exr_file("one_a.exr", Image({1, 1}, 1, 0.5f));
+    const std::string b = write_exr_file("one_b.exr", Image({1, 1}, 1, 0.25f));
+    const ChildResult result = run({"metric", a, b, "--json"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json scores = json::parse(result.out);
+    EXPECT_EQ(scores.at("mae").get<double>(), 0.25);
+    EXPECT_TRUE(scores.at("ms_ssim").is_null());
+    EXPECT_TRUE(scores.at("flip").is_number());
 }
 
 TEST_F(MetricVerb, BadImagesAreNamed) {
