@@ -119,13 +119,15 @@ int evaluate(const MetricFlags& flags) {
     const std::vector<ImagePair> pairs = find_pairs(flags);
     const PairScorer scorer(registry, std::move(metrics), read_options(flags));
     const MetricMeans means = measure(pairs, scorer, flags);
+    // What it names and nothing gave is an error: before anything is printed.
+    const bool holds = check_gate(gate, means);
     const std::vector<MetricMean> printed = list_printed(means, !flags.metrics.empty());
     if (flags.json) {
         print_means_json(printed);
     } else {
         print_means_table(printed);
     }
-    return check_gate(gate, means) ? 0 : 3;
+    return holds ? 0 : 3;
 }
 
 } // namespace

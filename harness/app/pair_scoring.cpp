@@ -50,6 +50,13 @@ std::string describe_shape(const Image& image) {
     return fmt::format("{} with {} channels", describe_size(image), image.channels());
 }
 
+/// What a program is given exists.
+void check_file(const fs::path& path) {
+    if (!fs::is_regular_file(path)) {
+        throw InputError(path.string(), fs::exists(path) ? "not a regular file" : "no such file");
+    }
+}
+
 void check_companion(const std::optional<Image>& companion, std::string_view flag,
                      const fs::path& path, const Image& image) {
     if (companion && companion->size() != image.size()) {
@@ -117,6 +124,8 @@ std::vector<PairScore> PairScorer::score(const fs::path& test, const fs::path& r
             scores.push_back(std::move(ours[next++]));
             continue;
         }
+        check_file(test);
+        check_file(reference);
         for (const ExternalValue& value :
              run_external_metric(*metric.program, test, reference, m_options.program_time)) {
             check_key(value.name, *metric.program, scores);

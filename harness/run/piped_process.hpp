@@ -19,7 +19,7 @@ struct ProcessEnd {
 };
 
 /// shared: ours, so that Ctrl-C at a terminal reaches it too. own: it leads one, and all that it
-/// started ends with it (SIGKILL).
+/// started ends with it (SIGKILL); Ctrl-C at a terminal does not reach it.
 enum class ProcessGroup { shared, own };
 
 /// What a process may use until it has ended.
