@@ -1,5 +1,5 @@
 #pragma once
-// PNG and EXR files (OpenImageIO). A file says what its values mean in the metadata
+// PNG, EXR and Radiance HDR files (OpenImageIO). A file says what its values mean in the metadata
 // `alcove:domain`; pixel order is top row first in both.
 
 #include "core/base/domain.hpp"

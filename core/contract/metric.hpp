@@ -30,6 +30,9 @@ struct MetricInput {
     /// over counted pixels only; one with windows over the windows whose centre is counted, and
     /// still looks at ignored pixels inside of them.
     const Image* mask = nullptr;
+    /// Eye depth in metres, one channel, the size of the images, inf on the background; only
+    /// metrics that are measured at depth edges look at it, and have no value without it.
+    const Image* depth = nullptr;
 };
 
 /// A further number that a metric gives beside its value.

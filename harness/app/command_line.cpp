@@ -132,6 +132,7 @@ int run_command_line(int argc, char** argv) {
         [&](CLI::App& verb) { return add_reproduce_verb(verb, line); });
     add("list", "methods, scenes, metrics, parameters", add_list_verb);
     add("metric", "metrics over anybody's images", add_metric_verb);
+    add("score", "new metrics over the images that a run kept", add_score_verb);
     add("reference", "ray-traced visibility of a scene", add_reference_verb);
     add("tune", "fit parameters to a target; held-out frames judge",
         [&](CLI::App& verb) { return add_tune_verb(verb, line); });

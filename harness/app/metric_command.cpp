@@ -1,334 +1,157 @@
 #include "core/base/error.hpp"
-#include "core/base/image_file.hpp"
-#include "core/base/text.hpp"
-#include "core/contract/temporal_metric.hpp"
+#include "core/base/file.hpp"
+#include "harness/app/image_pairs.hpp"
+#include "harness/app/metric_flags.hpp"
+#include "harness/app/metric_gate.hpp"
+#include "harness/app/metric_output.hpp"
+#include "harness/app/metric_self_test.hpp"
+#include "harness/app/progress.hpp"
 #include "harness/app/verbs.hpp"
-#include "harness/run/metric_spec.hpp"
 #include "harness/run/units.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <memory>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace alcove {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct MetricFlags {
     std::string test;
     std::string reference;
+    std::string list;
     std::vector<std::string> metrics;
     std::string domain;
+    std::string mask;
+    std::string depth;
+    double exec_timeout_s = kDefaultProgramTime;
     bool json = false;
+    std::string csv;
     std::string map_folder;
     std::string gate;
     bool self_test = false;
 };
 
-/// A metric's mean over frames; nothing where a frame has no value.
-struct Score {
-    double sum = 0.0;
-    int frames = 0;
-    std::string undefined_reason;
-    [[nodiscard]] std::optional<double> mean() const {
-        return undefined_reason.empty() && frames > 0 ? std::optional(sum / frames) : std::nullopt;
+std::vector<ImagePair> find_pairs(const MetricFlags& flags) {
+    if (!flags.list.empty()) {
+        if (!flags.test.empty()) {
+            throw InputError("metric", "--list and TEST at once", flags.test, "one of them");
+        }
+        return read_pair_list(flags.list);
     }
-};
-
-void add_value(Score& score, std::optional<double> value, const std::string& undefined_reason) {
-    if (value) {
-        score.sum += *value;
-        ++score.frames;
-    } else {
-        score.undefined_reason = undefined_reason;
+    if (flags.test.empty() || flags.reference.empty()) {
+        throw InputError("metric", "needs TEST and REFERENCE, or --list FILE.csv");
     }
+    return pair_images(flags.test, flags.reference);
 }
 
-struct ImagePair {
-    fs::path test;
-    fs::path reference;
-};
+ScoringOptions read_options(const MetricFlags& flags) {
+    ScoringOptions options;
+    options.program_time = read_program_time(flags.exec_timeout_s);
+    if (!flags.domain.empty()) {
+        options.domain = parse_domain(flags.domain);
+    }
+    if (!flags.mask.empty()) {
+        options.mask = read_mask(flags.mask);
+        const std::size_t counted = count_pixels(*options.mask);
+        fmt::print(stderr, "alcove: mask: {} pixels counted, {} ignored\n", counted,
+                   options.mask->size().pixel_count() - counted);
+    }
+    if (!flags.depth.empty()) {
+        options.depth = read_depth(flags.depth);
+    }
+    return options;
+}
 
-std::vector<fs::path> list_images(const fs::path& folder) {
-    std::vector<fs::path> names;
-    for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
-        const std::string extension = file.path().extension().string();
-        if (file.is_regular_file() && (extension == ".png" || extension == ".exr")) {
-            names.push_back(file.path().filename());
+/// Means of all pairs; writes maps and CSV on the way.
+MetricMeans measure(const std::vector<ImagePair>& pairs, const PairScorer& scorer,
+                    const MetricFlags& flags) {
+    if (!flags.map_folder.empty()) {
+        create_output_folder(flags.map_folder);
+    }
+    Progress progress;
+    MetricMeans means;
+    CsvTable table;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const ImagePair& pair = pairs[i];
+        progress.show(static_cast<double>(i) / static_cast<double>(pairs.size()), pair.label);
+        const std::vector<PairScore> scores = scorer.score(pair.test, pair.reference);
+        means.add(scores, pair.test.string());
+        append_pair_lines(table, pair, scores);
+        if (!flags.map_folder.empty()) {
+            write_maps(flags.map_folder, pair, scores);
         }
     }
-    std::sort(names.begin(), names.end());
-    return names;
+    if (!flags.csv.empty()) {
+        write_file_atomically(flags.csv, table.make_text());
+    }
+    return means;
 }
 
-/// Two files, or the frames of two folders by name. What one folder lacks is an error, never left
-/// out.
-std::vector<ImagePair> pair_images(const MetricFlags& flags) {
-    const fs::path test = flags.test;
-    const fs::path reference = flags.reference;
-    if (!fs::is_directory(test) && !fs::is_directory(reference)) {
-        return {{test, reference}};
-    }
-    if (!fs::is_directory(test) || !fs::is_directory(reference)) {
-        throw InputError("metric", "one is a folder, the other is not",
-                         flags.test + " and " + flags.reference, "two files or two folders");
-    }
-    const std::vector<fs::path> names = list_images(test);
-    if (names != list_images(reference)) {
-        throw InputError("metric", "the folders do not hold the same PNG and EXR names", flags.test,
-                         flags.reference);
-    }
-    if (names.empty()) {
-        throw InputError(flags.test, "holds no PNG or EXR");
-    }
-    std::vector<ImagePair> pairs;
-    for (const fs::path& name : names) {
-        pairs.push_back({test / name, reference / name});
-    }
-    return pairs;
-}
-
-/// Metrics look at colour: an alpha channel is left out.
-Image drop_alpha(const Image& image) {
-    const int kept = image.channels() == 4 ? 3 : image.channels() == 2 ? 1 : image.channels();
-    if (kept == image.channels()) {
-        return image;
-    }
-    Image result(image.size(), kept);
-    for (int y = 0; y < image.height(); ++y) {
-        for (int x = 0; x < image.width(); ++x) {
-            for (int c = 0; c < kept; ++c) {
-                result.at(x, y, c) = image.at(x, y, c);
-            }
-        }
-    }
-    return result;
-}
-
-/// A metric as it was named.
-struct ChosenMetric {
-    std::string name;
-    ResolvedMetric resolved;
-};
-
-/// Metrics over time only where `with_temporal`: images alone do not say what moved where.
-std::vector<ChosenMetric> choose_metrics(const Registry<MetricUnit>& registry,
-                                         std::vector<std::string> names, bool with_temporal) {
-    if (names.empty()) {
-        for (const MetricUnit& unit : registry.units()) {
-            if (unit.reported && (with_temporal || !unit.is_temporal())) {
-                names.push_back(unit.name);
-            }
-        }
-    }
-    check_metric_specs(registry, names, "--metric");
-    std::vector<ChosenMetric> chosen;
-    for (const std::string& name : names) {
-        const ResolvedMetric metric = resolve_metric(registry, parse_metric_spec(name, "--metric"));
-        if (metric.unit->is_temporal() && !with_temporal) {
-            throw InputError("--metric", "is over time and needs motion; it is measured by `run`",
-                             name, "a metric of images");
-        }
-        chosen.push_back({name, metric});
-    }
-    return chosen;
-}
-
-/// Prints one check and says whether it holds. `Check` is a MetricCheck or a TemporalCheck.
-template <class Check>
-bool report_check(const MetricUnit& unit, const Check& check, std::optional<double> value) {
-    const bool holds = value && std::abs(*value - check.expected) <= check.tolerance;
-    fmt::print(
-        "{:<20}{:<42}expected {:<12} got {:<12} difference {:<10} tolerance {:<9} {:<7} {}\n",
-        unit.name, check.name, format_rounded(check.expected, 9),
-        value ? format_rounded(*value, 9) : "none",
-        value ? fmt::format("{:.1e}", *value - check.expected) : "-",
-        fmt::format("{:.1e}", check.tolerance), holds ? "ok" : "FAILED", check.source);
-    return holds;
-}
-
-int count_failed_checks(const MetricUnit& unit) {
-    int failures = 0;
-    const ResolvedParameters parameters = unit.parameters.resolve({}, {});
-    if (unit.is_temporal()) {
-        const auto metric = unit.create_temporal(parameters);
-        for (const TemporalCheck& check : unit.temporal_checks) {
-            failures += report_check(unit, check, check.run(*metric)) ? 0 : 1;
-        }
-        return failures;
-    }
-    for (const MetricCheck& check : unit.checks) {
-        const auto metric = unit.create(unit.parameters.resolve(check.parameters, {}));
-        const Image test = check.make_test();
-        const Image reference = check.make_reference();
-        failures += report_check(unit, check, metric->evaluate({test, reference}).value) ? 0 : 1;
-    }
-    return failures;
-}
-
-int run_self_test(const std::vector<ChosenMetric>& metrics) {
-    int failures = 0;
-    for (const ChosenMetric& metric : metrics) {
-        failures += count_failed_checks(*metric.resolved.unit);
-    }
-    if (failures > 0) {
-        throw FailureError("metric --self-test", std::to_string(failures) + " checks failed");
-    }
-    return 0;
-}
-
-/// A file's colour, proved to be finite: errors name the file, which a metric does not know.
-ImageFile read_finite_image(const fs::path& path, std::optional<Domain> domain) {
-    ImageFile file = read_image_file(path, domain);
-    file.image = drop_alpha(file.image);
-    PixelPosition position;
-    if (find_non_finite(file.image, position)) {
-        throw InputError(path.string(), fmt::format("NaN or infinity at pixel ({}, {}), channel {}",
-                                                    position.x, position.y, position.channel));
-    }
-    return file;
-}
-
-std::string describe_shape(const Image& image) {
-    return fmt::format("{}x{} with {} channels", image.width(), image.height(), image.channels());
-}
-
-void evaluate_pair(const ImagePair& pair, const MetricFlags& flags,
-                   const std::vector<ChosenMetric>& metrics, std::map<std::string, Score>& scores) {
-    const std::optional<Domain> domain =
-        flags.domain.empty() ? std::nullopt : std::optional(parse_domain(flags.domain));
-    const ImageFile test = read_finite_image(pair.test, domain);
-    const ImageFile reference = read_finite_image(pair.reference, domain);
-    if (test.image.size() != reference.image.size() ||
-        test.image.channels() != reference.image.channels()) {
-        throw InputError(pair.test.string(), "not the shape of " + pair.reference.string(),
-                         describe_shape(test.image), describe_shape(reference.image));
-    }
-    for (const ChosenMetric& chosen : metrics) {
-        const MetricUnit& unit = *chosen.resolved.unit;
-        // One that was named is refused on a small image; of all metrics it has no value.
-        check_metric_input({test.image, reference.image}, unit.name,
-                           flags.metrics.empty() ? 1 : unit.smallest_side);
-        // Each file is brought to the metric's domain from its own: an EXR may be held against a
-        // PNG.
-        const auto evaluate_files = [&] {
-            const Image a = convert_for_unit(unit, test.image, test.domain, chosen.resolved.domain);
-            const Image b =
-                convert_for_unit(unit, reference.image, reference.domain, chosen.resolved.domain);
-            return chosen.resolved.create()->evaluate({a, b});
-        };
-        std::optional<MetricResult> refusal = refuse_small_image(unit, test.image.size());
-        const MetricResult result = refusal ? std::move(*refusal) : evaluate_files();
-        add_value(scores[chosen.name], result.value,
-                  pair.test.string() + ": " + result.undefined_reason);
-        // A JSON of all metrics holds their names alone.
-        if (!flags.metrics.empty()) {
-            for (const NamedValue& extra : result.extras) {
-                add_value(scores[chosen.name + "." + extra.name], extra.value, "");
-            }
-        }
-        if (!flags.map_folder.empty() && result.map) {
-            const std::string name = pair.test.stem().string() + "_" + chosen.name + ".exr";
-            write_exr(fs::path(flags.map_folder) / name, *result.map, Domain::linear);
-        }
-    }
-}
-
-/// "ssim>=0.9,rmse<0.05": every part must hold.
-bool check_gate(const std::string& text, const std::map<std::string, Score>& scores) {
-    bool all = true;
-    for (const std::string& part : split(text, ',')) {
-        const std::size_t position = part.find_first_of("<>");
-        const std::string expected = "METRIC<NUMBER, with <, <=, > or >=";
-        if (position == std::string::npos || position == 0) {
-            throw InputError("--gate", "cannot be read", part, expected);
-        }
-        const bool or_equal = position + 1 < part.size() && part[position + 1] == '=';
-        const auto score = scores.find(part.substr(0, position));
-        if (score == scores.end()) {
-            throw InputError("--gate", "metric was not evaluated", part.substr(0, position));
-        }
-        const double bound = parse_number(part.substr(position + (or_equal ? 2 : 1)), "--gate");
-        const std::optional<double> value = score->second.mean();
-        const bool less = part[position] == '<';
-        const bool holds =
-            value && ((less ? *value < bound : *value > bound) || (or_equal && *value == bound));
-        if (!holds) {
-            fmt::print(stderr, "alcove: gate not met: {} (is {})\n", part,
-                       value ? format_number(*value) : "undefined");
-        }
-        all = all && holds;
-    }
-    return all;
+/// A table of all metrics holds their names alone: extras are many.
+std::vector<MetricMean> list_printed(const MetricMeans& means, bool with_extras) {
+    std::vector<MetricMean> printed = means.list();
+    std::erase_if(printed,
+                  [with_extras](const MetricMean& mean) { return mean.is_extra && !with_extras; });
+    return printed;
 }
 
 int evaluate(const MetricFlags& flags) {
     const Registry<MetricUnit> registry = get_units().metrics;
-    const std::vector<ChosenMetric> metrics =
-        choose_metrics(registry, flags.metrics, flags.self_test);
     if (flags.self_test) {
-        return run_self_test(metrics);
+        run_self_test(registry, flags.metrics, flags.json);
+        return 0;
     }
-    if (flags.test.empty() || flags.reference.empty()) {
-        throw InputError("metric", "needs TEST and REFERENCE");
+    const std::vector<std::string> names =
+        flags.metrics.empty() ? list_image_metrics(registry) : flags.metrics;
+    std::vector<ChosenMetric> metrics = choose_metrics(registry, names, "--metric");
+    const std::vector<GateCondition> gate =
+        flags.gate.empty() ? std::vector<GateCondition>() : parse_gate(flags.gate);
+    const bool calls_programs =
+        std::any_of(metrics.begin(), metrics.end(),
+                    [](const ChosenMetric& metric) { return metric.program.has_value(); });
+    for (ChosenMetric& metric : choose_metrics(
+             registry, list_gated_metrics(gate, names, registry, calls_programs), "--gate")) {
+        metrics.push_back(std::move(metric));
     }
-    std::map<std::string, Score> scores;
-    for (const ImagePair& pair : pair_images(flags)) {
-        evaluate_pair(pair, flags, metrics, scores);
-    }
-    nlohmann::ordered_json object = nlohmann::ordered_json::object();
-    const auto print = [&](const std::string& name, const std::string& unit) {
-        const Score& score = scores.at(name);
-        const std::optional<double> mean = score.mean();
-        if (mean) {
-            object[name] = *mean;
-        } else {
-            object[name] = nullptr;
-            fmt::print(stderr, "alcove: {} has no value: {}\n", name, score.undefined_reason);
-        }
-        if (!flags.json) {
-            fmt::print("{:<10}{} {}\n", name, mean ? format_number(*mean) : "-", unit);
-        }
-    };
-    for (const ChosenMetric& metric : metrics) {
-        print(metric.name, metric.resolved.unit->unit);
-        const std::string prefix = metric.name + ".";
-        for (const auto& [name, score] : scores) {
-            if (name.starts_with(prefix)) {
-                print(name, "");
-            }
-        }
-    }
+    const std::vector<ImagePair> pairs = find_pairs(flags);
+    const PairScorer scorer(registry, std::move(metrics), read_options(flags));
+    const MetricMeans means = measure(pairs, scorer, flags);
+    // What it names and nothing gave is an error: before anything is printed.
+    const bool holds = check_gate(gate, means);
+    const std::vector<MetricMean> printed = list_printed(means, !flags.metrics.empty());
     if (flags.json) {
-        fmt::print("{}\n", object.dump());
+        print_means_json(printed);
+    } else {
+        print_means_table(printed);
     }
-    return flags.gate.empty() || check_gate(flags.gate, scores) ? 0 : 3;
+    return holds ? 0 : 3;
 }
 
 } // namespace
 
 Action add_metric_verb(CLI::App& app) {
     auto flags = std::make_shared<MetricFlags>();
-    app.add_option("test", flags->test, "image, or folder of frames");
+    app.add_option("test", flags->test, "image (PNG, EXR, HDR), or folder of frames");
     app.add_option("reference", flags->reference, "image, or folder of frames with the same names");
-    app.add_option("--metric", flags->metrics,
-                   "NAME[@values|view|linear|codes][:key=value,...], repeatable; default all of "
-                   "images")
-        ->expected(1)
-        ->take_all();
+    app.add_option("--list", flags->list,
+                   "CSV with the header test,reference; paths relative to its folder");
+    add_metric_option(app, flags->metrics, "default all of images");
     app.add_option("--domain", flags->domain,
                    "srgb, linear, visibility, view; default: the file's own, else srgb for PNG, "
-                   "linear for EXR");
+                   "linear for EXR and HDR");
+    app.add_option("--mask", flags->mask, "image: pixels that are 0 are ignored");
+    app.add_option("--depth", flags->depth,
+                   "EXR of eye depth in metres, inf on the background, for metrics that need it");
+    add_program_time_option(app, flags->exec_timeout_s);
     app.add_flag("--json", flags->json, "one object");
-    app.add_option("--map", flags->map_folder, "folder for the metrics' maps (EXR)");
-    app.add_option("--gate", flags->gate, "\"ssim>=0.9,rmse<0.05\": exit 3 unless all hold");
-    app.add_flag("--self-test", flags->self_test, "check values of the definitions");
+    app.add_option("--csv", flags->csv, "file: one line a pair and metric");
+    app.add_option("--map", flags->map_folder, "folder for the metrics' maps (EXR, PNG in magma)");
+    app.add_option("--gate", flags->gate, "\"ssim>=0.9,flip:ppd=30<0.05\": exit 3 unless all hold");
+    app.add_flag("--self-test", flags->self_test,
+                 "check values of the definitions, with their sources");
     return [flags] { return evaluate(*flags); };
 }
 

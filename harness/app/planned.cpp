@@ -8,7 +8,6 @@ namespace alcove {
 
 std::span<const Planned> list_planned_verbs() {
     static constexpr std::array kVerbs{
-        Planned{"score", "new metrics over kept images"},
         Planned{"view", "a window: fly, switch methods, record"},
     };
     return kVerbs;

@@ -22,6 +22,7 @@ using Action = std::function<int()>;
 [[nodiscard]] Action add_nightly_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_list_verb(CLI::App& app);
 [[nodiscard]] Action add_metric_verb(CLI::App& app);
+[[nodiscard]] Action add_score_verb(CLI::App& app);
 [[nodiscard]] Action add_reference_verb(CLI::App& app);
 [[nodiscard]] Action add_reproduce_verb(CLI::App& app, const std::string& command_line);
 [[nodiscard]] Action add_recommend_verb(CLI::App& app);

@@ -51,6 +51,21 @@ TEST_F(PipedProcessTest, DoesNotOutliveItsObject) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
 }
 
+TEST_F(PipedProcessTest, RunsToItsEndWithinLimits) {
+    using namespace std::chrono_literals;
+    const ProcessLimits limits{60s, 100, 100};
+    PipedProcess echo("/bin/sh", {"-c", "cat; echo out; echo err >&2; exit 3"}, log);
+    EXPECT_EQ(echo.run_to_end(limits), "out\n");
+    EXPECT_EQ(echo.finish().exit_code, 3);
+    EXPECT_EQ(echo.read_log(), "err\n");
+    PipedProcess exact("/bin/sh", {"-c", "head -c 100 /dev/zero"}, log);
+    EXPECT_EQ(exact.run_to_end(limits).size(), 100u);
+    PipedProcess more("/bin/sh", {"-c", "head -c 101 /dev/zero"}, log);
+    EXPECT_THROW(static_cast<void>(more.run_to_end(limits)), FailureError);
+    PipedProcess slow("/bin/sleep", {"600"}, log);
+    EXPECT_THROW(static_cast<void>(slow.run_to_end({50ms, 100, 100})), FailureError);
+}
+
 TEST_F(PipedProcessTest, WhatCannotBeStartedIsNamed) {
     try {
         const PipedProcess nothing(folder.path() / "nothing", {}, log);
