@@ -165,9 +165,7 @@ int count_failed_checks(const MetricUnit& unit) {
     }
     for (const MetricCheck& check : unit.checks) {
         const auto metric = unit.create(unit.parameters.resolve(check.parameters, {}));
-        const Image test = check.make_test();
-        const Image reference = check.make_reference();
-        failures += report_check(unit, check, metric->evaluate({test, reference}).value) ? 0 : 1;
+        failures += report_check(unit, check, evaluate_check(*metric, check).value) ? 0 : 1;
     }
     return failures;
 }
