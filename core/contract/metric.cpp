@@ -43,6 +43,20 @@ void check_mask(const MetricInput& input, std::string_view metric) {
     }
 }
 
+void check_depth(const MetricInput& input, std::string_view metric) {
+    const Image& depth = *input.depth;
+    if (depth.size() != input.test.size() || depth.channels() != 1) {
+        throw InputError(metric, "the depth is not the images' size with one channel",
+                         describe_shape(depth), describe_shape(input.test));
+    }
+    for (const float value : depth.values()) {
+        if (!(value > 0.0f)) {
+            throw InputError(metric, "the depth holds a value that is no distance",
+                             std::to_string(value), "metres over 0, inf on the background");
+        }
+    }
+}
+
 } // namespace
 
 void check_metric_input(const MetricInput& input, std::string_view metric, int smallest_side) {
@@ -70,6 +84,19 @@ void check_metric_input(const MetricInput& input, std::string_view metric, int s
     if (input.mask != nullptr) {
         check_mask(input, metric);
     }
+    if (input.depth != nullptr) {
+        check_depth(input, metric);
+    }
+}
+
+MetricResult evaluate_check(const Metric& metric, const MetricCheck& check) {
+    const Image test = check.make_test();
+    const Image reference = check.make_reference();
+    std::optional<Image> depth;
+    if (check.make_depth) {
+        depth = check.make_depth();
+    }
+    return metric.evaluate({test, reference, nullptr, nullptr, nullptr, depth ? &*depth : nullptr});
 }
 
 Image convert_for_unit(const MetricUnit& unit, const Image& image, Domain from,
@@ -101,11 +128,11 @@ MetricResult evaluate_in_domain(const MetricUnit& unit, const Metric& metric,
     const Image test = convert(input.test);
     const Image reference = convert(input.reference);
     if (input.reference_a == nullptr) {
-        return metric.evaluate({test, reference, nullptr, nullptr, input.mask});
+        return metric.evaluate({test, reference, nullptr, nullptr, input.mask, input.depth});
     }
     const Image a = convert(*input.reference_a);
     const Image b = convert(*input.reference_b);
-    return metric.evaluate({test, reference, &a, &b, input.mask});
+    return metric.evaluate({test, reference, &a, &b, input.mask, input.depth});
 }
 
 } // namespace alcove

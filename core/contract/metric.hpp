@@ -81,6 +81,16 @@ struct MetricCheck {
     std::string source;     ///< who published it, or the hand calculation
     /// The unit's defaults where empty.
     std::vector<ParameterOverride> parameters = {};
+    /// MetricInput::depth, for units that need it.
+    std::function<Image()> make_depth = {};
+};
+
+/// Images on which a metric has a value, for the contract tests of one that has none on noise.
+struct MetricCanary {
+    std::function<Image(ImageSize)> make_reference;
+    /// The reference with the error that the metric is made for, of that amount.
+    std::function<Image(const Image& reference, float amount)> damage;
+    std::function<Image(ImageSize)> make_depth = {};
 };
 
 class TemporalMetric;
@@ -114,6 +124,10 @@ struct MetricUnit {
     bool reported = true;       ///< false for the template
     bool on_demand = false;     ///< a run measures it only where it is named
     ParameterTable parameters;
+    /// Has a value only where MetricInput::depth is given.
+    bool needs_depth = false;
+    /// Nothing for metrics that any two images have a value of.
+    std::optional<MetricCanary> canary;
     std::vector<MetricCheck> checks;
     std::function<std::unique_ptr<Metric>(const ResolvedParameters&)> create;
     std::vector<TemporalCheck> temporal_checks;
@@ -122,8 +136,11 @@ struct MetricUnit {
 };
 
 /// What every metric checks first. Throws InputError: sizes, channels, NaN (with its pixel and
-/// which image), smallest side, mask.
+/// which image), smallest side, mask, depth.
 void check_metric_input(const MetricInput& input, std::string_view metric, int smallest_side = 1);
+
+/// Evaluates a check's pair with a metric of the check's parameters.
+[[nodiscard]] MetricResult evaluate_check(const Metric& metric, const MetricCheck& check);
 
 /// An image of `from` as the unit's metrics take it, on `wanted`: converted, reduced to luma.
 [[nodiscard]] Image convert_for_unit(const MetricUnit& unit, const Image& image, Domain from,

@@ -99,6 +99,9 @@ void ExperimentFlags::add_to(CLI::App& app) {
     app.add_flag("--explain-errors", explain_errors,
                  "errors of single frames taken apart (method, estimator, screen space), and the "
                  "best monotone curve of each method");
+    app.add_flag("--strata", strata,
+                 "image metrics also over depth edges, creases, three ranges of viewing angle, "
+                 "moving objects and dark values");
     app.add_option("--effects", effects, "all (default), or auto: only what the scene calls for");
 }
 
@@ -151,6 +154,7 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         experiment.settings = parse_settings(split(*flags.settings, ','));
     }
     experiment.explains_errors = experiment.explains_errors || flags.explain_errors;
+    experiment.measures_strata = experiment.measures_strata || flags.strata;
     if (flags.effects) {
         experiment.effects = parse_effects_choice(*flags.effects);
     }

@@ -35,6 +35,7 @@ struct ExperimentFlags {
     std::optional<std::string> effects;
     std::optional<std::string> settings;
     bool explain_errors = false;
+    bool strata = false;
     std::optional<double> audit;
 
     /// The flags must outlive the parsing.

@@ -44,9 +44,7 @@ std::vector<CheckOutcome> run_checks(const MetricUnit& unit) {
     }
     for (const MetricCheck& check : unit.checks) {
         const auto metric = unit.create(unit.parameters.resolve(check.parameters, {}));
-        const Image test = check.make_test();
-        const Image reference = check.make_reference();
-        outcomes.push_back(describe(unit, check, metric->evaluate({test, reference}).value));
+        outcomes.push_back(describe(unit, check, evaluate_check(*metric, check).value));
     }
     return outcomes;
 }

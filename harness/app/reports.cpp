@@ -1,6 +1,7 @@
 #include "harness/app/reports.hpp"
 
 #include "reports/csv/explanation_csv.hpp"
+#include "reports/csv/strata_csv.hpp"
 #include "reports/csv/summary_csv.hpp"
 #include "reports/csv/target_csv.hpp"
 #include "reports/csv/tradeoff_csv.hpp"
@@ -25,6 +26,7 @@ void write_reports(const RunFolder& run, bool in_progress, std::vector<Provision
     write_tradeoff_csv(run, analysis);
     write_target_csv(run, analysis);
     write_explanation_csv(run, analysis);
+    write_strata_csv(run, analysis);
     write_html_report(run, {in_progress, std::move(provisional), get_page_folder(run, out)});
 }
 

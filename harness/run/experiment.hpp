@@ -91,6 +91,8 @@ struct Experiment {
     MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
     int reference_rays_per_half = 32;
     std::vector<std::string> metrics; ///< parse_metric_spec; empty: list_default_metrics
+    /// Image metrics also over parts of a frame (strata.hpp).
+    bool measures_strata = false;
     /// Errors of single frames taken apart (DESIGN 3.7), and the best monotone curve of a method.
     bool explains_errors = false;
     std::uint64_t shuffle_seed = 1;

@@ -76,6 +76,9 @@ class ExperimentReader {
         if (const auto explains = m_root.get_boolean("explain_errors")) {
             m_experiment.explains_errors = *explains;
         }
+        if (const auto strata = m_root.get_boolean("strata")) {
+            m_experiment.measures_strata = *strata;
+        }
         if (const auto reference = m_root.get_string("reference")) {
             m_root.with_place("reference",
                               [&] { m_experiment.reference = read_spec(*reference, "reference"); });

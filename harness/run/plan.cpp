@@ -8,6 +8,7 @@
 #include "harness/run/repeat_rule.hpp"
 #include "harness/run/scene_source.hpp"
 #include "harness/run/segments.hpp"
+#include "harness/run/strata.hpp"
 #include <algorithm>
 #include <filesystem>
 #include <set>
@@ -85,6 +86,27 @@ MetricDescription describe_metric(const Units& units, const std::string& text) {
             unit.direction == Direction::lower_is_better};
 }
 
+/// Every image metric of the plan over every stratum, and how many pixels that has.
+void describe_strata(PlanRecord& record) {
+    const std::vector<MetricDescription> metrics = record.metrics;
+    for (const StratumInfo& stratum : list_strata()) {
+        record.metrics.push_back({make_pixels_column(stratum.name), "Pixels: " + stratum.title,
+                                  "px", "Pixels of the stratum: " + stratum.definition + ".",
+                                  "what is measured there", "values", std::string(kStratumKind),
+                                  true});
+        for (const MetricDescription& metric : metrics) {
+            if (metric.kind == "image") {
+                MetricDescription part = metric;
+                part.name = make_stratum_column(metric.name, stratum.name);
+                part.title += ", " + stratum.title;
+                part.definition += " Pooled over " + stratum.definition + ".";
+                part.kind = kStratumKind;
+                record.metrics.push_back(std::move(part));
+            }
+        }
+    }
+}
+
 void describe_units(const Experiment& experiment, const Units& units, PlanRecord& record) {
     std::set<std::string> methods;
     for (const RoundRecord& round : record.rounds) {
@@ -106,6 +128,9 @@ void describe_units(const Experiment& experiment, const Units& units, PlanRecord
     for (const HistoryNumberInfo& number : list_history_numbers()) {
         record.metrics.push_back({number.name, number.title, number.unit, number.definition,
                                   "whether the history was right", "values", "history", true});
+    }
+    if (experiment.measures_strata) {
+        describe_strata(record);
     }
 }
 

@@ -24,11 +24,13 @@ RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vect
       m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
     for (const MetricDescription& metric : stage.plan().metrics) {
-        if (metric.kind == "history") {
-            continue; // no unit: numbers that histories carry (history_record)
+        m_has_strata = m_has_strata || metric.kind == kStratumKind;
+        if (metric.kind == "history" || metric.kind == kStratumKind) {
+            continue; // no unit: numbers that histories carry, and other metrics' values over parts
         }
         const ResolvedMetric resolved = resolve_metric(
             stage.units().metrics, parse_metric_spec(metric.name, "metric of the plan"));
+        m_needs_depth = m_needs_depth || resolved.unit->needs_depth;
         if (!resolved.unit->is_temporal()) {
             m_metrics.push_back({metric.name, resolved, resolved.create()});
             continue;
@@ -87,16 +89,19 @@ void RoundCapture::capture_frame(std::size_t index) {
     const bool ends = index + 1 == frames.size() || begins_sequence(frames[index + 1]);
     const SegmentRecord& film = m_stage.round().film;
     const std::vector<int>& kept = m_stage.round().image_frames;
-    Shot shot{frame, SampleState::cold, truth, !is_single(frame), ends, false, false};
+    const bool is_in_sequence = !is_single(frame);
+    if (is_in_sequence) {
+        const WallTime wall(m_done.temporal_s);
+        m_sequence.add(frame.view, truth);
+    }
+    const Geometry geometry =
+        make_geometry(frame.view, truth, is_in_sequence ? &m_sequence.surfaces() : nullptr);
+    Shot shot{frame, SampleState::cold, truth, geometry, is_in_sequence, ends, false, false};
     // A frame that stands in the film's burst and as a single is filmed once.
     shot.is_film =
         shot.is_in_sequence && frame.view.index >= film.begin && frame.view.index < film.end;
     shot.keeps_pictures = std::find(kept.begin(), kept.end(), frame.view.index) != kept.end() &&
                           (is_single(frame) || !m_has_singles);
-    if (shot.is_in_sequence) {
-        const WallTime wall(m_done.temporal_s);
-        m_sequence.add(frame.view, truth);
-    }
     {
         const WallTime wall(m_done.gbuffer_s);
         m_stage.render_gbuffers(m_stage.list_gbuffers());
@@ -136,11 +141,15 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
     }
     // Truth first: its source may use the stage.
     const Truth truth = get_truth(single.view);
+    if (m_needs_depth || m_has_strata) {
+        m_stage.set_frame(held.view);
+    }
+    const Geometry geometry = make_geometry(held.view, truth, nullptr);
     for (MethodCell& cell : m_stage.cells()) {
         if (!converges(cell)) {
             continue;
         }
-        Shot shot{held, SampleState::converged, truth, false, false, false, false};
+        Shot shot{held, SampleState::converged, truth, geometry, false, false, false, false};
         shot.keeps_pictures = std::find(kept.begin(), kept.end(), single.view.index) != kept.end();
         {
             const WallTime wall(m_done.passes_s);
@@ -155,6 +164,27 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
             m_pictures.write_cell(cell, shot.frame.view.index, images.visibility, output, truth);
         }
     }
+}
+
+RoundCapture::Geometry RoundCapture::make_geometry(const FrameView& view, const Truth& truth,
+                                                   const SurfaceImages* surfaces) {
+    Geometry geometry;
+    if (!m_needs_depth && !m_has_strata) {
+        return geometry;
+    }
+    const WallTime wall(m_done.metrics_s);
+    std::optional<SurfaceImages> read;
+    if (surfaces == nullptr) {
+        surfaces = &read.emplace(m_sequence.read_surfaces());
+    }
+    if (m_needs_depth) {
+        geometry.eye_depth = surfaces->eye_depth;
+    }
+    if (m_has_strata) {
+        geometry.strata =
+            make_strata(*surfaces, truth.mean, glm::vec2(compute_tangents(view.camera, view.size)));
+    }
+    return geometry;
 }
 
 RoundCapture::CellImages RoundCapture::take_images(MethodCell& cell, MethodOutput& output) {
@@ -191,17 +221,48 @@ MetricRow RoundCapture::make_row(const MethodCell& cell, const CellImages& image
 void RoundCapture::measure_images(const MethodCell& cell, const CellImages& images,
                                   const Shot& shot) {
     const WallTime wall(m_done.metrics_s);
-    const MetricInput input{images.visibility, shot.truth.mean, shot.truth.a(), shot.truth.b()};
+    const MetricInput input{
+        images.visibility, shot.truth.mean,
+        shot.truth.a(),    shot.truth.b(),
+        nullptr,           shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
     for (const ImageMetric& image : m_metrics) {
-        MetricRow row = make_row(cell, images, shot, image.name);
-        const MetricResult result = evaluate_in_domain(*image.resolved.unit, *image.metric, input,
-                                                       Domain::visibility, image.resolved.domain);
-        row.value = result.value;
-        row.debiased = result.debiased;
-        row.floor = result.floor;
-        row.note = result.undefined_reason;
-        m_rows.push_back(std::move(row));
+        add_row(cell, images, shot, image.name,
+                evaluate_in_domain(*image.resolved.unit, *image.metric, input, Domain::visibility,
+                                   image.resolved.domain));
     }
+    measure_strata(cell, images, shot);
+}
+
+void RoundCapture::measure_strata(const MethodCell& cell, const CellImages& images,
+                                  const Shot& shot) {
+    for (std::size_t i = 0; i < shot.geometry.strata.size(); ++i) {
+        const Image& mask = shot.geometry.strata[i];
+        const std::string& stratum = list_strata()[i].name;
+        MetricResult pixels;
+        pixels.value = static_cast<double>(count_pixels(mask));
+        add_row(cell, images, shot, make_pixels_column(stratum), pixels);
+        const MetricInput input{images.visibility,
+                                shot.truth.mean,
+                                shot.truth.a(),
+                                shot.truth.b(),
+                                &mask,
+                                shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
+        for (const ImageMetric& image : m_metrics) {
+            add_row(cell, images, shot, make_stratum_column(image.name, stratum),
+                    evaluate_in_domain(*image.resolved.unit, *image.metric, input,
+                                       Domain::visibility, image.resolved.domain));
+        }
+    }
+}
+
+void RoundCapture::add_row(const MethodCell& cell, const CellImages& images, const Shot& shot,
+                           const std::string& column, const MetricResult& result) {
+    MetricRow row = make_row(cell, images, shot, column);
+    row.value = result.value;
+    row.debiased = result.debiased;
+    row.floor = result.floor;
+    row.note = result.undefined_reason;
+    m_rows.push_back(std::move(row));
 }
 
 void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& images,
@@ -228,12 +289,7 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
             if (!result) {
                 continue;
             }
-            MetricRow row = make_row(cell, images, shot, name);
-            row.value = result->value;
-            row.debiased = result->debiased;
-            row.floor = result->floor;
-            row.note = result->undefined_reason;
-            m_rows.push_back(std::move(row));
+            add_row(cell, images, shot, name, *result);
             if (shot.is_film && RoundPictures::is_filmed(unit->name) && result->map) {
                 maps.emplace_back(unit, std::move(*result->map));
             }

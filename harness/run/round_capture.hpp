@@ -6,6 +6,7 @@
 #include "harness/run/round_pictures.hpp"
 #include "harness/run/round_reuse.hpp"
 #include "harness/run/sequence_truth.hpp"
+#include "harness/run/strata.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -46,11 +47,17 @@ class RoundCapture {
         std::optional<Image> history_state;
         std::string hash;
     };
+    /// What is asked of a frame's surfaces beside the truth of sequences.
+    struct Geometry {
+        std::optional<Image> eye_depth; ///< for metrics that need it
+        std::vector<Image> strata;      ///< as list_strata; empty where none are measured
+    };
     /// A frame that is being captured, and with what state.
     struct Shot {
         const RoundFrame& frame;
         SampleState state;
         const Truth& truth;
+        const Geometry& geometry;
         bool is_in_sequence;
         bool is_last; ///< of its sequence
         bool is_film;
@@ -60,8 +67,15 @@ class RoundCapture {
     void capture_frame(std::size_t index);
     void capture_converged(const RoundFrame& single);
     [[nodiscard]] Truth get_truth(const FrameView& view);
+    /// Of the stage's frame; `surfaces` where they have been read already.
+    [[nodiscard]] Geometry make_geometry(const FrameView& view, const Truth& truth,
+                                         const SurfaceImages* surfaces);
     [[nodiscard]] CellImages take_images(MethodCell& cell, MethodOutput& output);
     void measure_images(const MethodCell& cell, const CellImages& images, const Shot& shot);
+    void measure_strata(const MethodCell& cell, const CellImages& images, const Shot& shot);
+    /// One row: a metric's result under a column.
+    void add_row(const MethodCell& cell, const CellImages& images, const Shot& shot,
+                 const std::string& column, const MetricResult& result);
     void measure_sequence(const MethodCell& cell, const CellImages& images, const Shot& shot);
     void add_history_rows(const MethodCell& cell, const CellImages& images, const Shot& shot,
                           const Image* age);
@@ -80,6 +94,8 @@ class RoundCapture {
     std::vector<ImageMetric> m_metrics;
     std::vector<CellSequence> m_cells; ///< one a cell of the stage
     bool m_has_singles;
+    bool m_needs_depth = false;
+    bool m_has_strata = false;
 };
 
 } // namespace alcove

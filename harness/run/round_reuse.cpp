@@ -76,7 +76,7 @@ CaptureIngredients RoundReuse::describe_round() const {
     std::string metric_sources;
     for (const MetricDescription& metric : plan.metrics) {
         metrics += metric.name + " ";
-        if (metric.kind != "history") {
+        if (metric.kind != "history" && metric.kind != kStratumKind) {
             const MetricSpec spec = parse_metric_spec(metric.name, "metric of the plan");
             metric_sources += m_stage.units().metrics.find(spec.name).content_hash + " ";
         }

@@ -32,7 +32,7 @@ SequenceTruth::SequenceTruth(RoundStage& stage)
     : m_stage(stage), m_gbuffer(stage.gl(), stage.size(), kMetricChannels, make_full_precision()) {}
 
 void SequenceTruth::reset() {
-    m_before.reset();
+    m_newest.reset();
     m_past.clear();
     m_earlier.clear();
 }
@@ -44,6 +44,11 @@ SurfaceImages SequenceTruth::read_surfaces() {
             gl::read_texture(gl, m_gbuffer.texture(Channel::normal), 3),
             gl::read_texture(gl, m_gbuffer.texture(Channel::motion), 3),
             gl::read_texture(gl, m_gbuffer.texture(Channel::instance_id), 1)};
+}
+
+const SurfaceImages& SequenceTruth::surfaces() const {
+    ALCOVE_ASSERT(m_newest.has_value(), "a frame was added");
+    return *m_newest;
 }
 
 void SequenceTruth::add(const FrameView& view, const Truth& truth) {
@@ -61,8 +66,8 @@ void SequenceTruth::add(const FrameView& view, const Truth& truth) {
     m_earlier.clear();
     Past past;
     past.truth = truth;
-    if (m_before && view.history_valid) {
-        past.back[0] = make_correspondence(view, now, *m_before);
+    if (m_newest && view.history_valid) {
+        past.back[0] = make_correspondence(view, now, *m_newest);
         // Twice as far: the way to half of it, and from there as far again.
         for (std::size_t i = 1; i < kEarlierSteps.size(); ++i) {
             const auto half = static_cast<std::size_t>(kEarlierSteps.at(i - 1));
@@ -84,7 +89,7 @@ void SequenceTruth::add(const FrameView& view, const Truth& truth) {
     if (m_past.size() > static_cast<std::size_t>(kEarlierSteps.back())) {
         m_past.pop_front();
     }
-    m_before = std::move(now);
+    m_newest = std::move(now);
 }
 
 } // namespace alcove

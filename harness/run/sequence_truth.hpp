@@ -20,6 +20,10 @@ class SequenceTruth {
     void add(const FrameView& view, const Truth& truth);
 
     [[nodiscard]] std::span<const EarlierFrame> earlier() const { return m_earlier; }
+    /// Of the stage's frame, whether or not it was added.
+    [[nodiscard]] SurfaceImages read_surfaces();
+    /// Of the frame that was added last; asserts that there is one.
+    [[nodiscard]] const SurfaceImages& surfaces() const;
     /// 1 where the pixel shows a surface.
     [[nodiscard]] const Image& surface() const { return m_surface; }
     /// 1 where the object under the pixel has moved since the last frame.
@@ -32,11 +36,9 @@ class SequenceTruth {
         std::array<std::optional<Correspondence>, kEarlierSteps.size()> back;
     };
 
-    [[nodiscard]] SurfaceImages read_surfaces();
-
     RoundStage& m_stage;
     GBuffer m_gbuffer; ///< full precision, whatever the methods see
-    std::optional<SurfaceImages> m_before;
+    std::optional<SurfaceImages> m_newest;
     std::deque<Past> m_past; ///< the newest last; as many as the longest step
     std::vector<EarlierFrame> m_earlier;
     Image m_surface;

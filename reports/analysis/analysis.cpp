@@ -3,6 +3,7 @@
 #include "reports/analysis/cell_series.hpp"
 #include "reports/analysis/metrics.hpp"
 #include "reports/analysis/sequences.hpp"
+#include "reports/analysis/strata.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +155,7 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
     result.machine = judge_machine(round, sorted, result.done, run.context());
     analyze_metrics(result, metrics, run.plan());
     analyze_sequences(result, metrics, run.plan());
+    analyze_strata(result, metrics, run.plan());
     mark_front(result, run.plan());
     return result;
 }

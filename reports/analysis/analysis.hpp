@@ -121,6 +121,16 @@ struct CellAnalysis {
 /// 3.8).
 [[nodiscard]] bool is_compared(const CellAnalysis& cell);
 
+/// An image metric of one cell over part of the frames, or how many pixels that part has.
+struct StratumAnalysis {
+    std::string metric;
+    std::string stratum;
+    std::string cell;
+    SampleState state = SampleState::cold; ///< bursts, or singles
+    MetricAnalysis value;                  ///< without frames where it is undefined in all
+    bool lower_is_better = true;
+};
+
 struct RoundAnalysis {
     RoundRecord round;
     RoundDone done;
@@ -128,6 +138,7 @@ struct RoundAnalysis {
     std::vector<std::string> metrics;          ///< image metrics with rows, in the plan's order
     std::vector<std::string> temporal_metrics; ///< so for metrics over time
     std::vector<std::string> history_numbers;  ///< and for numbers of histories
+    std::vector<StratumAnalysis> strata;       ///< empty without `run --strata`
     std::string front_metric;         ///< rmse if measured, else the first; empty if there is none
     std::optional<Estimate> base_ms;  ///< base G-buffer
     std::optional<Estimate> aa_ratio; ///< the anchor against itself

@@ -205,7 +205,8 @@ std::string make_definitions_section(const RunAnalysis& analysis) {
     }
     text += "</dl>\n<h3>Metrics</h3>\n<dl class=\"definitions\">\n";
     for (const MetricDescription& metric : analysis.plan.metrics) {
-        text += describe_metric(metric);
+        // The table of strata tells its own.
+        text += metric.kind == kStratumKind ? std::string() : describe_metric(metric);
     }
     std::string methods;
     for (const MethodDescription& method : analysis.plan.methods) {

@@ -6,6 +6,7 @@
 #include "reports/html/events.hpp"
 #include "reports/html/explanation_block.hpp"
 #include "reports/html/film.hpp"
+#include "reports/html/strata_table.hpp"
 #include "reports/html/temporal_tables.hpp"
 
 #include <fmt/core.h>
@@ -117,8 +118,9 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
                         escape_html(round.round.reference.label));
         text += make_picture_sheet(round, finder);
     }
-    return text + make_over_time(analysis, round, finder) + make_explanation_block(round, finder) +
-           make_detail_tables(analysis, round) + make_cost_note(round) + "</section>\n";
+    return text + make_over_time(analysis, round, finder) + make_strata_tables(analysis, round) +
+           make_explanation_block(round, finder) + make_detail_tables(analysis, round) +
+           make_cost_note(round) + "</section>\n";
 }
 
 } // namespace alcove

@@ -148,6 +148,10 @@ struct RoundRecord {
     double ao_radius_m = 0.0;
 };
 
+/// MetricDescription::kind of an image metric's value over part of a frame, and of the count of its
+/// pixels: "METRIC[STRATUM]", "pixels[STRATUM]".
+inline constexpr std::string_view kStratumKind = "stratum";
+
 struct MetricDescription {
     std::string name;
     std::string title;
@@ -156,7 +160,7 @@ struct MetricDescription {
     std::string blind_to;
     std::string domain; ///< "values", "view", "linear" or "codes"
     /// "image": of one frame; "temporal": of a sequence; "history": what a method says of its own
-    /// history, neither good nor bad.
+    /// history, neither good nor bad. kStratumKind.
     std::string kind = "image";
     bool lower_is_better = true;
 };

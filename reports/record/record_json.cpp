@@ -291,8 +291,9 @@ void check_events(const std::vector<EventRecord>& events, const std::string& whe
 }
 
 void check_metric_kind(const MetricDescription& metric, const std::string& where) {
-    if (metric.kind != "image" && metric.kind != "temporal" && metric.kind != "history") {
-        throw InputError(where, "unknown kind", metric.kind, "image, temporal or history");
+    if (metric.kind != "image" && metric.kind != "temporal" && metric.kind != "history" &&
+        metric.kind != kStratumKind) {
+        throw InputError(where, "unknown kind", metric.kind, "image, temporal, history or stratum");
     }
 }
 

@@ -68,13 +68,43 @@ class ImageMetricContract : public testing::TestWithParam<MetricUnit> {
     static ImageSize size() {
         return {std::max(48, GetParam().smallest_side), std::max(41, GetParam().smallest_side)};
     }
-    static Image make_fitting_image(int channels = 1) { return make_image(channels, size()); }
-    static Image add_noise(const Image& image, float noise) {
+    /// What the metric has a value on: noise, or its canary.
+    static Image make_reference(int channels, ImageSize of_size) {
+        if (!GetParam().canary) {
+            return make_image(channels, of_size);
+        }
+        const Image grey = GetParam().canary->make_reference(of_size);
+        Image image(of_size, channels);
+        for (std::size_t i = 0; i < image.values().size(); ++i) {
+            image.values()[i] = grey.values()[i / static_cast<std::size_t>(channels)];
+        }
+        return image;
+    }
+    static Image make_fitting_image(int channels = 1) { return make_reference(channels, size()); }
+    /// The error that the metric is made for: noise where it has no canary.
+    static Image damage(const Image& image, float amount) {
+        if (GetParam().canary) {
+            return GetParam().canary->damage(image, amount);
+        }
         Image noisy = image;
         for (std::size_t i = 0; i < noisy.values().size(); ++i) {
-            noisy.values()[i] += ((i * 2654435761u) >> 13) % 2 == 0 ? noise : -noise;
+            noisy.values()[i] += ((i * 2654435761u) >> 13) % 2 == 0 ? amount : -amount;
         }
         return noisy;
+    }
+    static std::optional<Image> make_depth(ImageSize of_size) {
+        if (!GetParam().needs_depth) {
+            return std::nullopt;
+        }
+        return GetParam().canary->make_depth(of_size);
+    }
+    /// With the depth that the metric needs.
+    static MetricInput complete(MetricInput input, const std::optional<Image>& depth) {
+        return {input.test,        input.reference, input.reference_a,
+                input.reference_b, input.mask,      depth ? &*depth : nullptr};
+    }
+    [[nodiscard]] MetricResult evaluate(const MetricInput& input) const {
+        return m_metric->evaluate(complete(input, make_depth(input.test.size())));
     }
 
     std::unique_ptr<Metric> m_metric = GetParam().create(GetParam().parameters.resolve({}, {}));
@@ -82,7 +112,7 @@ class ImageMetricContract : public testing::TestWithParam<MetricUnit> {
 
 TEST_P(ImageMetricContract, AnImageAgainstItselfIsTheBestValue) {
     const Image image = make_fitting_image();
-    const MetricResult result = m_metric->evaluate({image, image});
+    const MetricResult result = evaluate({image, image});
     EXPECT_EQ(result.value.has_value(), GetParam().best.has_value());
     if (result.value) {
         EXPECT_NEAR(*result.value, *GetParam().best, 1e-12);
@@ -95,8 +125,7 @@ TEST_P(ImageMetricContract, WorseImagesScoreWorse) {
     const Image reference = make_fitting_image();
     std::vector<double> values;
     for (const float noise : {0.05f, 0.1f, 0.2f}) {
-        values.push_back(
-            m_metric->evaluate({add_noise(reference, noise), reference}).value.value());
+        values.push_back(evaluate({damage(reference, noise), reference}).value.value());
     }
     const double sign = GetParam().direction == Direction::lower_is_better ? 1.0 : -1.0;
     EXPECT_LT(sign * values[0], sign * values[1]);
@@ -107,8 +136,8 @@ TEST_P(ImageMetricContract, ADifferentSizeThrows) {
     const Image a = make_fitting_image();
     const Image b = make_image(1, {size().width, size().height + 1});
     const Image c = make_fitting_image(3);
-    EXPECT_THROW(static_cast<void>(m_metric->evaluate({a, b})), InputError);
-    EXPECT_THROW(static_cast<void>(m_metric->evaluate({a, c})), InputError);
+    EXPECT_THROW(static_cast<void>(evaluate({a, b})), InputError);
+    EXPECT_THROW(static_cast<void>(evaluate({a, c})), InputError);
 }
 
 TEST_P(ImageMetricContract, NanAndInfinityThrow) {
@@ -117,25 +146,21 @@ TEST_P(ImageMetricContract, NanAndInfinityThrow) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Image image = good;
         image.at(3, 4) = bad;
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({image, good})), InputError);
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, image})), InputError);
+        EXPECT_THROW(static_cast<void>(evaluate({image, good})), InputError);
+        EXPECT_THROW(static_cast<void>(evaluate({good, image})), InputError);
         EXPECT_THROW(static_cast<void>(evaluate_in_domain(GetParam(), *m_metric, {image, good},
                                                           Domain::linear, GetParam().domain)),
                      InputError)
             << "conversion must not hide it";
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &image, &good})),
-                     InputError);
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({good, good, &good, &image})),
-                     InputError);
+        EXPECT_THROW(static_cast<void>(evaluate({good, good, &image, &good})), InputError);
+        EXPECT_THROW(static_cast<void>(evaluate({good, good, &good, &image})), InputError);
     }
 }
 
 TEST_P(ImageMetricContract, CheckValuesHold) {
     for (const MetricCheck& check : GetParam().checks) {
         m_metric = GetParam().create(GetParam().parameters.resolve(check.parameters, {}));
-        const Image test = check.make_test();
-        const Image reference = check.make_reference();
-        const MetricResult result = m_metric->evaluate({test, reference});
+        const MetricResult result = evaluate_check(*m_metric, check);
         ASSERT_TRUE(result.value) << check.name;
         EXPECT_NEAR(*result.value, check.expected, check.tolerance)
             << check.name << ": " << check.source;
@@ -146,8 +171,8 @@ TEST_P(ImageMetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
     const Image a = make_fitting_image();
     Image b = a;
     b.at(10, 10) = 0.9f;
-    const MetricResult first = m_metric->evaluate({a, b});
-    EXPECT_EQ(first.value, m_metric->evaluate({a, b}).value);
+    const MetricResult first = evaluate({a, b});
+    EXPECT_EQ(first.value, evaluate({a, b}).value);
     if (first.map) {
         EXPECT_EQ(first.map->width() + 2 * first.map_offset, a.width());
         EXPECT_EQ(first.map->height() + 2 * first.map_offset, a.height());
@@ -156,10 +181,10 @@ TEST_P(ImageMetricContract, EvaluatesTheSameTwiceAndLeavesAMapOfItsOwnSize) {
 
 TEST_P(ImageMetricContract, AMaskOfOnesIsNoMask) {
     const Image reference = make_fitting_image();
-    const Image test = add_noise(reference, 0.1f);
+    const Image test = damage(reference, 0.1f);
     const Image ones(size(), 1, 1.0f);
-    const MetricResult plain = m_metric->evaluate({test, reference});
-    const MetricResult masked = m_metric->evaluate({test, reference, nullptr, nullptr, &ones});
+    const MetricResult plain = evaluate({test, reference});
+    const MetricResult masked = evaluate({test, reference, nullptr, nullptr, &ones});
     EXPECT_EQ(masked.value, plain.value);
     ASSERT_EQ(masked.extras.size(), plain.extras.size());
     for (std::size_t i = 0; i < plain.extras.size(); ++i) {
@@ -172,7 +197,7 @@ TEST_P(ImageMetricContract, AMaskOfOnesIsNoMask) {
 
 TEST_P(ImageMetricContract, CountedAndIgnoredPixelsAddUp) {
     const Image reference = make_fitting_image();
-    const Image test = add_noise(reference, 0.1f);
+    const Image test = damage(reference, 0.1f);
     Image half(size(), 1);
     for (int y = 0; y < half.height(); ++y) {
         for (int x = 0; x < half.width() / 2; ++x) {
@@ -180,8 +205,8 @@ TEST_P(ImageMetricContract, CountedAndIgnoredPixelsAddUp) {
         }
     }
     const Image ones(size(), 1, 1.0f);
-    const MetricResult all = m_metric->evaluate({test, reference, nullptr, nullptr, &ones});
-    const MetricResult some = m_metric->evaluate({test, reference, nullptr, nullptr, &half});
+    const MetricResult all = evaluate({test, reference, nullptr, nullptr, &ones});
+    const MetricResult some = evaluate({test, reference, nullptr, nullptr, &half});
     EXPECT_EQ(*some.counted_pixels + *some.ignored_pixels, *all.counted_pixels);
     EXPECT_NEAR(static_cast<double>(*some.counted_pixels),
                 0.5 * static_cast<double>(*all.counted_pixels),
@@ -191,7 +216,7 @@ TEST_P(ImageMetricContract, CountedAndIgnoredPixelsAddUp) {
 
 TEST_P(ImageMetricContract, WhatLiesFarFromCountedPixelsDoesNotMatter) {
     const Image reference = make_fitting_image();
-    const Image test = add_noise(reference, 0.1f);
+    const Image test = damage(reference, 0.1f);
     // Counted: the left third. Changed: the rightmost eight columns, out of reach of its windows,
     // halved as often as they may be.
     Image mask(size(), 1);
@@ -206,23 +231,23 @@ TEST_P(ImageMetricContract, WhatLiesFarFromCountedPixelsDoesNotMatter) {
             changed_reference.at(x, y) = 0.5f;
         }
     }
-    const auto evaluate = [&](const Image& a, const Image& b, const Image* counted) {
-        return m_metric->evaluate({a, b, nullptr, nullptr, counted});
+    const auto compare = [&](const Image& a, const Image& b, const Image* counted) {
+        return evaluate({a, b, nullptr, nullptr, counted});
     };
     if (GetParam().name == "ms_ssim" || GetParam().name == "hdr_flip") {
         // The coarsest scale's windows reach everywhere; exposures are of the whole reference.
         GTEST_SKIP();
     }
-    EXPECT_EQ(evaluate(test, reference, &mask).value,
-              evaluate(changed, changed_reference, &mask).value);
-    EXPECT_NE(evaluate(test, reference, nullptr).value,
-              evaluate(changed, changed_reference, nullptr).value);
+    EXPECT_EQ(compare(test, reference, &mask).value,
+              compare(changed, changed_reference, &mask).value);
+    EXPECT_NE(compare(test, reference, nullptr).value,
+              compare(changed, changed_reference, nullptr).value);
 }
 
 TEST_P(ImageMetricContract, AMaskThatCountsNothingLeavesNoValueAndSaysSo) {
     const Image image = make_fitting_image();
     const Image nothing(size(), 1);
-    const MetricResult result = m_metric->evaluate({image, image, nullptr, nullptr, &nothing});
+    const MetricResult result = evaluate({image, image, nullptr, nullptr, &nothing});
     EXPECT_FALSE(result.value);
     EXPECT_NE(result.undefined_reason.find("mask"), std::string::npos);
     EXPECT_EQ(result.counted_pixels, 0u);
@@ -235,7 +260,7 @@ TEST_P(ImageMetricContract, AMaskOfAnotherSizeOrWithOtherValuesThrows) {
     Image grey(size(), 1, 1.0f);
     grey.at(2, 3) = 0.5f;
     for (const Image* mask : std::array<const Image*, 3>{&narrow, &deep, &grey}) {
-        EXPECT_THROW(static_cast<void>(m_metric->evaluate({image, image, nullptr, nullptr, mask})),
+        EXPECT_THROW(static_cast<void>(evaluate({image, image, nullptr, nullptr, mask})),
                      InputError);
     }
 }
@@ -244,11 +269,14 @@ TEST_P(ImageMetricContract, EverySizeHasAValueOrAReason) {
     for (const ImageSize size :
          {ImageSize{1, 1}, {10, 8}, {11, 11}, {16, 16}, {17, 23}, {177, 179}}) {
         for (const int channels : {1, 3}) {
-            const Image reference = make_image(channels, size);
-            const MetricResult same = evaluate_in_domain(
-                GetParam(), *m_metric, {reference, reference}, Domain::linear, GetParam().domain);
+            const Image reference = make_reference(channels, size);
+            const Image test = damage(reference, 0.1f);
+            const std::optional<Image> depth = make_depth(size);
+            const MetricResult same =
+                evaluate_in_domain(GetParam(), *m_metric, complete({reference, reference}, depth),
+                                   Domain::linear, GetParam().domain);
             const MetricResult result =
-                evaluate_in_domain(GetParam(), *m_metric, {add_noise(reference, 0.1f), reference},
+                evaluate_in_domain(GetParam(), *m_metric, complete({test, reference}, depth),
                                    Domain::linear, GetParam().domain);
             const bool is_small = std::min(size.width, size.height) < GetParam().smallest_side;
             EXPECT_EQ(result.value.has_value(), !is_small) << size.width << "x" << size.height;
@@ -274,9 +302,15 @@ TEST_P(ImageMetricContract, ConstantsAndAShiftOfAPixelGiveFiniteValues) {
     const Image bright(size(), 1, 0.75f);
     const double sign = GetParam().direction == Direction::lower_is_better ? 1.0 : -1.0;
     for (const MetricInput& input : {MetricInput{shifted, reference}, MetricInput{dark, bright}}) {
-        const double value = m_metric->evaluate(input).value.value();
+        const double value = evaluate(input).value.value();
         EXPECT_TRUE(std::isfinite(value));
-        if (GetParam().best) {
+        if (!GetParam().best) {
+            continue;
+        }
+        // What looks at fine structure alone is right to see nothing in a level.
+        if (GetParam().canary || GetParam().name == "gradient_error") {
+            EXPECT_GE(sign * value, sign * *GetParam().best);
+        } else {
             EXPECT_GT(sign * value, sign * *GetParam().best);
         }
     }
@@ -287,7 +321,7 @@ TEST_P(ImageMetricContract, GreyIsColourWithEqualChannels) {
         GTEST_SKIP() << "colour is reduced to luma before it";
     }
     const Image grey = make_fitting_image();
-    const Image noisy = add_noise(grey, 0.1f);
+    const Image noisy = damage(grey, 0.1f);
     const auto repeat = [](const Image& image) {
         Image colour(image.size(), 3);
         for (std::size_t i = 0; i < colour.values().size(); ++i) {
@@ -295,12 +329,38 @@ TEST_P(ImageMetricContract, GreyIsColourWithEqualChannels) {
         }
         return colour;
     };
-    EXPECT_NEAR(m_metric->evaluate({noisy, grey}).value.value(),
-                m_metric->evaluate({repeat(noisy), repeat(grey)}).value.value(), 2e-6);
+    EXPECT_NEAR(evaluate({noisy, grey}).value.value(),
+                evaluate({repeat(noisy), repeat(grey)}).value.value(), 2e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ImageMetricContract, testing::ValuesIn(list_metrics(false)),
                          [](const auto& unit) { return unit.param.name; });
+
+TEST(MetricsThatNeedDepth, HaveNoValueWithoutItAndRefuseABadOne) {
+    int count = 0;
+    for (const MetricUnit& unit : list_metrics(false)) {
+        if (!unit.needs_depth) {
+            continue;
+        }
+        ++count;
+        const ImageSize size{48, 41};
+        const Image reference = unit.canary->make_reference(size);
+        const Image test = unit.canary->damage(reference, 0.1f);
+        const auto metric = unit.create(unit.parameters.resolve({}, {}));
+        const MetricResult result = metric->evaluate({test, reference});
+        EXPECT_FALSE(result.value);
+        EXPECT_NE(result.undefined_reason.find("depth"), std::string::npos);
+        const Image narrow({size.width - 1, size.height}, 1, 1.0f);
+        Image negative(size, 1, 1.0f);
+        negative.at(2, 3) = -1.0f;
+        for (const Image* depth : std::array<const Image*, 2>{&narrow, &negative}) {
+            EXPECT_THROW(static_cast<void>(
+                             metric->evaluate({test, reference, nullptr, nullptr, nullptr, depth})),
+                         InputError);
+        }
+    }
+    EXPECT_GT(count, 0);
+}
 
 constexpr ImageSize kSequenceSize{48, 36};
 

@@ -57,6 +57,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.reference_rays_per_half = 16;
     experiment.audit_share = m_audit_share;
     experiment.explains_errors = m_explains_errors;
+    experiment.measures_strata = m_measures_strata;
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }
