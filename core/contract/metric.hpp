@@ -126,6 +126,8 @@ struct MetricUnit {
     ParameterTable parameters;
     /// Has a value only where MetricInput::depth is given.
     bool needs_depth = false;
+    /// Looks at the test alone, so that truth may have any value.
+    bool ignores_reference = false;
     /// Nothing for metrics that any two images have a value of.
     std::optional<MetricCanary> canary;
     std::vector<MetricCheck> checks;

@@ -96,10 +96,11 @@ void RoundCapture::capture_frame(std::size_t index) {
     }
     const Geometry geometry =
         make_geometry(frame.view, truth, is_in_sequence ? &m_sequence.surfaces() : nullptr);
-    Shot shot{frame, SampleState::cold, truth, geometry, is_in_sequence, ends, false, false};
+    Shot shot{frame, SampleState::cold, truth, geometry, is_in_sequence, ends, false, false, false};
     // A frame that stands in the film's burst and as a single is filmed once.
     shot.is_film =
         shot.is_in_sequence && frame.view.index >= film.begin && frame.view.index < film.end;
+    shot.ends_film = shot.is_film && (ends || frame.view.index + 1 == film.end);
     shot.keeps_pictures = std::find(kept.begin(), kept.end(), frame.view.index) != kept.end() &&
                           (is_single(frame) || !m_has_singles);
     {
@@ -109,6 +110,11 @@ void RoundCapture::capture_frame(std::size_t index) {
     const bool takes_reference = m_reuse.is_wanted("reference");
     if (shot.is_film && takes_reference) {
         m_pictures.write_film_reference(frame.view.index, truth);
+        m_truth_profile.add(truth.mean);
+        if (shot.ends_film) {
+            m_pictures.write_profile("reference", frame.view.index, m_truth_profile);
+            m_truth_profile.clear();
+        }
     }
     if (shot.keeps_pictures && takes_reference) {
         m_pictures.write_reference(frame.view.index, truth);
@@ -149,7 +155,7 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
         if (!converges(cell)) {
             continue;
         }
-        Shot shot{held, SampleState::converged, truth, geometry, false, false, false, false};
+        Shot shot{held, SampleState::converged, truth, geometry, false, false, false, false, false};
         shot.keeps_pictures = std::find(kept.begin(), kept.end(), single.view.index) != kept.end();
         {
             const WallTime wall(m_done.passes_s);
@@ -314,10 +320,13 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
     const Image* state = images.history_state ? &*images.history_state : nullptr;
     m_pictures.write_film_frame(id, index_of_frame, images.visibility, shot.truth, state,
                                 sequence.history);
-    if (shot.is_last || index_of_frame + 1 == m_stage.round().film.end) {
+    sequence.profile.add(images.visibility);
+    if (shot.ends_film) {
         m_pictures.write_accumulated(id, index_of_frame, sequence.flicker,
                                      state != nullptr ? &sequence.history : nullptr);
+        m_pictures.write_profile(id, index_of_frame, sequence.profile);
         sequence.flicker.clear();
+        sequence.profile.clear();
     }
 }
 

@@ -40,6 +40,7 @@ class RoundCapture {
         std::vector<SequenceMetric> metrics;
         HistoryRecord history;
         std::vector<Image> flicker; ///< |D| of each frame of the film
+        ProfileStrip profile;       ///< of the film
     };
     /// What a cell left for one frame.
     struct CellImages {
@@ -61,6 +62,7 @@ class RoundCapture {
         bool is_in_sequence;
         bool is_last; ///< of its sequence
         bool is_film;
+        bool ends_film;
         bool keeps_pictures;
     };
 
@@ -93,6 +95,7 @@ class RoundCapture {
     SequenceTruth m_sequence;
     std::vector<ImageMetric> m_metrics;
     std::vector<CellSequence> m_cells; ///< one a cell of the stage
+    ProfileStrip m_truth_profile;
     bool m_has_singles;
     bool m_needs_depth = false;
     bool m_has_strata = false;

@@ -86,6 +86,10 @@ void RoundPictures::write_accumulated(const std::string& cell, int frame,
     }
 }
 
+void RoundPictures::write_profile(const std::string& cell, int frame, const ProfileStrip& strip) {
+    write(cell, frame, "accumulated_profile", encode_view(strip.make_image()));
+}
+
 void RoundPictures::write_reference(int frame, const Truth& truth) {
     write("reference", frame, "visibility", encode_view(truth.mean));
     gl::Texture texture(m_stage.gl(), GL_R32F, m_stage.size());

@@ -3,6 +3,7 @@
 // was accumulated over it. Names and scales: reports/README.md.
 
 #include "harness/run/history_record.hpp"
+#include "harness/run/profile_strip.hpp"
 #include "harness/run/truth.hpp"
 
 #include <filesystem>
@@ -35,6 +36,9 @@ class RoundPictures {
     /// if the method has one.
     void write_accumulated(const std::string& cell, int frame, const std::vector<Image>& flicker,
                            const HistoryRecord* history);
+
+    /// On the film's last frame: the temporal profile of a cell or of "reference".
+    void write_profile(const std::string& cell, int frame, const ProfileStrip& strip);
 
     /// Are pictures of this frame kept?
     [[nodiscard]] bool is_kept(int frame) const;

@@ -18,6 +18,8 @@ constexpr int kSheetFrames = 4;
 const std::vector<PictureKind>& list_accumulated_kinds() {
     static const std::vector<PictureKind> kKinds = {
         {"flicker_p95", "Flicker, 95th percentile over time", false, "accumulated_flicker_p95"},
+        {"profile", "Temporal profile: middle row, time down", false, "accumulated_profile"},
+        {"profile_truth", "Temporal profile of the reference", true, "accumulated_profile"},
         {"invalidations", "Share of frames that lost history", false, "accumulated_invalidations"},
         {"all_samples", "Samples, summed over the film", false, "accumulated_samples"},
     };

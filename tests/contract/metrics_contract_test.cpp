@@ -453,6 +453,10 @@ class TemporalMetricContract : public testing::TestWithParam<MetricUnit> {
                 EXPECT_FALSE(result->undefined_reason.empty());
                 continue;
             }
+            if (GetParam().ignores_reference) {
+                EXPECT_GE(*result->value, GetParam().minimum);
+                continue;
+            }
             ASSERT_TRUE(GetParam().best) << "a value where the unit says that there is none";
             EXPECT_NEAR(*result->value, *GetParam().best, 1e-6);
         }

@@ -113,6 +113,7 @@ TEST_F(RoundRunnerSequenceTest, TheFilmHasEveryFrameOfItsBurstAndNoOther) {
         {"film_error", all},
         {"film_temporal_flicker", behind_the_first},
         {"accumulated_flicker_p95", behind_the_first},
+        {"accumulated_profile", behind_the_first},
         {"visibility", singles},
         {"error", singles},
         {"shaded", singles},
@@ -128,8 +129,10 @@ TEST_F(RoundRunnerSequenceTest, TheFilmHasEveryFrameOfItsBurstAndNoOther) {
     }
     EXPECT_EQ(list_pictures(cell(0).id), with_history);
     EXPECT_EQ(list_pictures("reference"),
-              (std::map<std::string, std::set<int>>{
-                  {"film_visibility", all}, {"visibility", singles}, {"shaded", singles}}));
+              (std::map<std::string, std::set<int>>{{"film_visibility", all},
+                                                    {"accumulated_profile", behind_the_first},
+                                                    {"visibility", singles},
+                                                    {"shaded", singles}}));
 }
 
 TEST_F(RoundRunnerSequenceTest, TwoRunsGiveTheSameRows) {
