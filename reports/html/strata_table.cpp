@@ -1,6 +1,5 @@
 #include "reports/html/strata_table.hpp"
 
-#include "core/base/text.hpp"
 #include "reports/analysis/strata.hpp"
 #include "reports/html/escape.hpp"
 #include "reports/html/metric_cells.hpp"
@@ -13,13 +12,13 @@
 namespace alcove {
 namespace {
 
-/// Whether every pixel of every frame is ignored tells more than a number.
+/// Of the first cell that was measured: pixels are the scene's, alike for all.
 std::string describe_pixels(const RoundAnalysis& round, const std::string& stratum) {
     const double all = static_cast<double>(round.round.width) * round.round.height;
     for (const StratumAnalysis& part : round.strata) {
         if (part.metric == kPixelCount && part.stratum == stratum && part.value.frames > 0) {
-            return fmt::format("{} px, {} % of a frame", format_rounded(part.value.value),
-                               format_rounded(100.0 * part.value.value / all));
+            return fmt::format("{:.0f} px, {:.1f} % of a frame", part.value.value,
+                               100.0 * part.value.value / all);
         }
     }
     return "not counted";
