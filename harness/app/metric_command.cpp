@@ -7,6 +7,7 @@
 #include "harness/app/metric_self_test.hpp"
 #include "harness/app/progress.hpp"
 #include "harness/app/verbs.hpp"
+#include "harness/run/strata.hpp"
 #include "harness/run/units.hpp"
 
 #include <algorithm>

@@ -197,10 +197,6 @@ Image read_mask(const fs::path& path) {
     return mask;
 }
 
-std::size_t count_pixels(const Image& mask) {
-    return static_cast<std::size_t>(std::count(mask.values().begin(), mask.values().end(), 1.0f));
-}
-
 Image read_depth(const fs::path& path) {
     Image depth = take_channel(read_image_file(path).image, 0);
     for (int y = 0; y < depth.height(); ++y) {

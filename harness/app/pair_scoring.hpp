@@ -69,7 +69,6 @@ class PairScorer {
 /// Reads a mask: 0 is ignored, anything else counted; of several channels any, alpha left out.
 /// Throws InputError on NaN.
 [[nodiscard]] Image read_mask(const std::filesystem::path& path);
-[[nodiscard]] std::size_t count_pixels(const Image& mask);
 
 /// Reads eye-linear depth in metres from a file's first channel; infinite on the background. Throws
 /// InputError on NaN and on what is not positive.
