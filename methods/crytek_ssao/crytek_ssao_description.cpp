@@ -10,17 +10,6 @@ constexpr const char* kMittring = "Mittring 2007";
 constexpr const char* kBlog = "\"Know your SSAO artifacts\" 2013";
 using P = CrytekSsaoParams;
 
-ParameterBuilder describe_samples() {
-    return integer(&P::samples, "samples")
-        .range(1, 512)
-        .log_scale()
-        .rebuild()
-        .unit("samples")
-        .symbol("n")
-        .meaning("Samples a pixel.")
-        .source(kMittring);
-}
-
 ParameterBuilder describe_kernel() {
     return choice(&P::kernel, "kernel",
                   {"sphere", "sphere_reflected", "hemisphere_gram_schmidt", "hemisphere_frame"})
@@ -116,41 +105,6 @@ ParameterBuilder describe_offsets() {
         .source(kBlog);
 }
 
-ParameterBuilder describe_resolution() {
-    return choice(&P::resolution, "resolution", {"full", "half"})
-        .rebuild()
-        .meaning("Half: the estimate at half width and height, then depth-aware upsampling.")
-        .source("Hendrickx et al. 2015");
-}
-
-ParameterBuilder describe_upsample_width() {
-    return integer(&P::upsample_width, "upsample_width")
-        .range(2, 32)
-        .unit("px")
-        .alive_with("resolution=half")
-        .meaning("Window of the upsampling, pixels of the full resolution; 2 is linear "
-                 "interpolation, 8 takes out a 4x4 tile.")
-        .source("Hendrickx et al. 2015");
-}
-
-ParameterBuilder describe_blur_radius() {
-    return integer(&P::blur_radius, "blur_radius")
-        .range(0, 8)
-        .unit("px")
-        .meaning("Taps on each side of the cross-bilateral blur at full resolution; 0 is off.")
-        .source(kBlog);
-}
-
-ParameterBuilder describe_blur_edge() {
-    return real(&P::blur_edge, "blur_edge")
-        .range(0.001, 10.0)
-        .log_scale()
-        .unit("r")
-        .meaning("Distance off the receiver's tangent plane at which a tap's weight is 1/e, of "
-                 "blur and upsampling.")
-        .source("ours");
-}
-
 } // namespace
 
 ParameterTable make_crytek_table() {
@@ -158,7 +112,7 @@ ParameterTable make_crytek_table() {
         "crytek_ssao",
         {
             describe_radius(&P::radius).source(kMittring),
-            describe_samples(),
+            describe_samples(&P::samples).source(kMittring),
             describe_kernel(),
             describe_weighting(),
             describe_normalise(),
@@ -173,10 +127,10 @@ ParameterTable make_crytek_table() {
             describe_bias(&P::bias),
             describe_border(&P::border).source("ours"),
             describe_strength(&P::strength),
-            describe_resolution(),
-            describe_upsample_width(),
-            describe_blur_radius(),
-            describe_blur_edge(),
+            describe_resolution(&P::resolution),
+            describe_upsample_width(&P::upsample_width),
+            describe_blur_radius(&P::blur_radius).source(kBlog),
+            describe_blur_edge(&P::blur_edge),
         });
 }
 
@@ -196,8 +150,7 @@ std::vector<Preset> make_crytek_presets() {
         return make_overrides({{"samples", samples},
                                {"weighting", "uniform"},
                                {"resolution", "half"},
-                               {"upsample_width", width},
-                               {"blur_radius", "0"}});
+                               {"upsample_width", width}});
     };
     return {
         {"default",
