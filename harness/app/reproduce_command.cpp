@@ -15,9 +15,11 @@
 #include "reports/html/reproduction_page.hpp"
 #include "reports/latex/latex_table.hpp"
 #include "reports/papers/paper_files.hpp"
-#include "reports/papers/tssao/tssao.hpp"
+#include "reports/papers/papers.hpp"
 
+#include <array>
 #include <memory>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -29,6 +31,9 @@ namespace fs = std::filesystem;
 
 /// What a paper's images are larger by than those of `--scale small`.
 constexpr int kFullScale = 4;
+
+constexpr std::array<std::string_view, 5> kPlanned{"statvo", "shanmugam_arikan", "artifacts",
+                                                   "ssdo", "all"};
 
 struct ReproduceFlags {
     std::string paper;
@@ -114,12 +119,24 @@ void print_reproduction(const fs::path& out, const Reproduction& reproduction) {
     fmt::print("{}\nreport: {}\n", describe_counts(reproduction), (out / "index.html").string());
 }
 
-int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
-    if (flags.paper == "statvo" || flags.paper == "shanmugam_arikan" || flags.paper == "ssdo" ||
-        flags.paper == "artifacts" || flags.paper == "all") {
-        throw InputError("`reproduce " + flags.paper + "` is planned, not built yet");
+/// Throws for what is unknown and for what is not built yet.
+const Paper& find_paper(const std::string& name) {
+    std::vector<std::string> names;
+    for (const Paper& paper : list_papers()) {
+        if (paper.name == name) {
+            return paper;
+        }
+        names.emplace_back(paper.name);
     }
-    check_choice("reproduce", flags.paper, {"tssao"});
+    if (std::find(kPlanned.begin(), kPlanned.end(), name) != kPlanned.end()) {
+        throw InputError("`reproduce " + name + "` is planned, not built yet");
+    }
+    check_choice("reproduce", name, names);
+    return list_papers().front();
+}
+
+int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
+    const Paper& paper = find_paper(flags.paper);
     check_choice("--scale", flags.scale, {"small", "full"});
     const Units units = get_units();
     const std::vector<Experiment> parts = list_parts(flags.paper, flags.scale, command_line, units);
@@ -143,7 +160,7 @@ int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
                                                  timers, units, show));
         }
     }
-    const Reproduction reproduction = reproduce_tssao(evidence, flags.scale);
+    const Reproduction reproduction = paper.reproduce(evidence, flags.scale);
     write_reproduction(out, reproduction);
     print_reproduction(out, reproduction);
     return 0;
@@ -153,8 +170,12 @@ int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
 
 Action add_reproduce_verb(CLI::App& app, const std::string& command_line) {
     auto flags = std::make_shared<ReproduceFlags>();
+    std::string papers;
+    for (const Paper& paper : list_papers()) {
+        papers += (papers.empty() ? "" : ", ") + std::string(paper.name);
+    }
     app.add_option("paper", flags->paper,
-                   "tssao (statvo, shanmugam_arikan, ssdo, artifacts and all are planned)")
+                   fmt::format("{} (planned: {})", papers, fmt::join(kPlanned, ", ")))
         ->required();
     app.add_option("--scale", flags->scale,
                    "small: a quarter of the published size in each direction; full")

@@ -6,9 +6,11 @@
 #include "reports/html/reproduction_page.hpp"
 #include "reports/latex/latex_table.hpp"
 #include "reports/papers/claim.hpp"
+#include "reports/papers/estimates.hpp"
 #include "reports/papers/paper_files.hpp"
 #include "reports/papers/verdict.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -58,6 +60,26 @@ TEST(Verdicts, FollowTheWholeInterval) {
     EXPECT_EQ(combine({Outcome::holds, Outcome::holds}), Outcome::holds);
     EXPECT_EQ(combine({Outcome::holds, Outcome::inconclusive}), Outcome::inconclusive);
     EXPECT_EQ(combine({Outcome::inconclusive, Outcome::fails}), Outcome::fails);
+}
+
+TEST(Verdicts, OfAnOrderAllowSlack) {
+    const Estimate low = make_estimate(1.0, 0.1);
+    EXPECT_EQ(judge_order(make_estimate(1.3, 0.1), low, 0.0), Outcome::holds);
+    EXPECT_EQ(judge_order(make_estimate(1.15, 0.1), low, 0.0), Outcome::inconclusive);
+    EXPECT_EQ(judge_order(make_estimate(1.15, 0.1), low, 0.1), Outcome::holds);
+    EXPECT_EQ(judge_order(make_estimate(0.7, 0.1), low, 0.0), Outcome::fails);
+}
+
+TEST(Estimates, ScaleWithTheirIntervalAndCorrelate) {
+    const Estimate doubled = scale_estimate(make_estimate(1.0, 0.1), 2.0);
+    EXPECT_DOUBLE_EQ(doubled.value, 2.0);
+    EXPECT_DOUBLE_EQ(doubled.interval->upper, 2.2);
+    EXPECT_DOUBLE_EQ(doubled.minimum, 1.6);
+    // By hand: deviations (-1.5, -0.5, 0.5, 1.5) and (-1, -1, 1, 1) give 4 / sqrt(5 * 4).
+    const Estimate r = correlate({1.0, 2.0, 3.0, 4.0}, {1.0, 1.0, 3.0, 3.0});
+    EXPECT_NEAR(r.value, 4.0 / std::sqrt(20.0), 1e-12);
+    EXPECT_LT(r.interval->lower, r.value);
+    EXPECT_GT(r.interval->upper, r.value);
 }
 
 TEST(Verdicts, AreOneAClaimWithItsReason) {

@@ -1,6 +1,7 @@
 #pragma once
 // The claims of the paper by subject; for tssao.cpp alone.
 
+#include "reports/papers/estimates.hpp"
 #include "reports/papers/evidence.hpp"
 #include "reports/papers/judge.hpp"
 
@@ -17,9 +18,6 @@ void list_tssao_untestable(Judge& judge);
 
 [[nodiscard]] std::vector<PaperTable> make_tssao_tables(const Evidence& evidence);
 [[nodiscard]] std::vector<PaperFigure> make_tssao_figures(const Evidence& evidence);
-
-/// Of one value that is no sample.
-[[nodiscard]] Estimate make_single(double value);
 
 // Labels of the experiments beside this file.
 inline constexpr const char* kDeferred = "none";

@@ -121,18 +121,6 @@ void judge_pixels(const Evidence& evidence, Judge& judge) {
                             "milliseconds of two runs"});
 }
 
-/// Are `higher`'s intervals above `lower`'s, or at least not under them by more than `slack`?
-Outcome judge_order(const Estimate& higher, const Estimate& lower, double slack) {
-    if (!higher.interval || !lower.interval) {
-        return Outcome::inconclusive;
-    }
-    if (higher.interval->lower >= lower.interval->upper - slack) {
-        return Outcome::holds;
-    }
-    return higher.interval->upper < lower.interval->lower - slack ? Outcome::fails
-                                                                  : Outcome::inconclusive;
-}
-
 void judge_resolution(const Evidence& evidence, Judge& judge) {
     const auto get_advantage = [&evidence](std::size_t round, const char* tssao) {
         return evidence.compare_frames({"table2", round, kSsao}, {"table2", round, tssao});
@@ -178,23 +166,13 @@ void judge_figure1(const Evidence& evidence, Judge& judge) {
     judge.set("TSSAO-066",
               {judge_above(deferred, 1.0), "deferred fps / TSSAO fps > 1", deferred, kCathedral});
     Estimate linear = evidence.compare_costs(at("SSAO 480"), at("SSAO 32"));
-    const auto scale = [](Estimate estimate, double factor) {
-        estimate.value *= factor;
-        estimate.minimum *= factor;
-        estimate.maximum *= factor;
-        if (estimate.interval) {
-            estimate.interval =
-                Interval{estimate.interval->lower * factor, estimate.interval->upper * factor};
-        }
-        return estimate;
-    };
-    linear = scale(linear, 32.0 / 480.0);
+    linear = scale_estimate(linear, 32.0 / 480.0);
     const Finding proportional{judge_within(linear, 0.85, 1.15),
                                "cost per sample at 480 / at 32 within 15 % of 1", linear,
                                std::string(kCathedral) + ", without filter"};
     judge.set("TSSAO-067", proportional);
     judge.set("TSSAO-095", proportional);
-    const Estimate per_sample = scale(converged, 32.0 / 8.0);
+    const Estimate per_sample = scale_estimate(converged, 32.0 / 8.0);
     judge.set("TSSAO-068", {judge_below(per_sample, 1.0),
                             "converged TSSAO costs no more per sample than SSAO", per_sample,
                             "passes alone; a software device pays for reprojection what a texture "
@@ -211,27 +189,6 @@ void judge_figure1(const Evidence& evidence, Judge& judge) {
     judge.set("TSSAO-139", {judge_within(unadapted, 0.8, 1.3),
                             "with k2 = k1 TSSAO costs about what SSAO does (0.8 to 1.3)", unadapted,
                             kCathedral});
-}
-
-/// Pearson's r with Fisher's 95 % interval over frames.
-Estimate correlate(const std::vector<double>& a, const std::vector<double>& b) {
-    const double mean_a = compute_mean(a);
-    const double mean_b = compute_mean(b);
-    double ab = 0.0;
-    double aa = 0.0;
-    double bb = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        ab += (a[i] - mean_a) * (b[i] - mean_b);
-        aa += (a[i] - mean_a) * (a[i] - mean_a);
-        bb += (b[i] - mean_b) * (b[i] - mean_b);
-    }
-    const double r = ab / std::sqrt(aa * bb);
-    const double width = 1.959964 / std::sqrt(static_cast<double>(a.size()) - 3.0);
-    Estimate estimate = make_single(r);
-    estimate.interval =
-        Interval{std::tanh(std::atanh(r) - width), std::tanh(std::atanh(r) + width)};
-    estimate.n = a.size();
-    return estimate;
 }
 
 void judge_figure13(const Evidence& evidence, Judge& judge) {
@@ -269,15 +226,6 @@ void judge_figure13(const Evidence& evidence, Judge& judge) {
 }
 
 } // namespace
-
-Estimate make_single(double value) {
-    Estimate estimate;
-    estimate.value = value;
-    estimate.minimum = value;
-    estimate.maximum = value;
-    estimate.n = 1;
-    return estimate;
-}
 
 void judge_tssao_times(const Evidence& evidence, Judge& judge) {
     judge_table2(evidence, judge);
