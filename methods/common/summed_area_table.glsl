@@ -17,9 +17,29 @@ vec4 sum_samples(SAT_SAMPLER table, ivec2 low, ivec2 high) {
     return convert_sum(top - bottom);
 }
 
+// One row of the lattice between two samples' columns: from a to b, from a to the next, from b to the next.
+struct LatticeRow {
+    SAT_VALUE whole;
+    SAT_VALUE left;
+    SAT_VALUE right;
+};
+
+LatticeRow read_lattice_row(SAT_SAMPLER table, ivec2 columns, ivec2 next_columns, int row) {
+    SAT_VALUE at_a = texelFetch(table, ivec2(columns.x, row), 0);
+    SAT_VALUE at_b = texelFetch(table, ivec2(columns.y, row), 0);
+    SAT_VALUE left = texelFetch(table, ivec2(next_columns.x, row), 0) - at_a;
+    return LatticeRow(at_b - at_a, left, texelFetch(table, ivec2(next_columns.y, row), 0) - at_b);
+}
+
+vec4 sum_rows(LatticeRow upper, LatticeRow lower, float share_a, float share_b) {
+    vec4 sum = convert_sum(upper.whole - lower.whole);
+    return sum + share_b * convert_sum(upper.right - lower.right) - share_a * convert_sum(upper.left - lower.left);
+}
+
 // Over a rectangle that may cut through samples, which count by their share of area: linear interpolation of the table.
 // The differences come before the weights, so that whole numbers stay exact: for each axis the sum from a to b is that of
 // whole samples from floor(a) to floor(b), plus the share of b's own sample, minus the share of a's.
+// Written out: loops over it were not unrolled by llvmpipe, which made arrays and samplers indirect and cost a factor 2.
 vec4 sum_area(SAT_SAMPLER table, vec2 low, vec2 high) {
     ivec2 a = ivec2(low);
     ivec2 b = ivec2(high);
@@ -28,25 +48,16 @@ vec4 sum_area(SAT_SAMPLER table, vec2 low, vec2 high) {
     ivec2 last = textureSize(table, 0) - 1;
     ivec2 a1 = min(a + 1, last);
     ivec2 b1 = min(b + 1, last);
-    int rows[4] = int[4](a.y, a1.y, b.y, b1.y);
-    SAT_VALUE whole[4];
-    SAT_VALUE left[4];
-    SAT_VALUE right[4];
-    for (int i = 0; i < 4; ++i) {
-        SAT_VALUE at_a = texelFetch(table, ivec2(a.x, rows[i]), 0);
-        SAT_VALUE at_b = texelFetch(table, ivec2(b.x, rows[i]), 0);
-        whole[i] = at_b - at_a;
-        left[i] = texelFetch(table, ivec2(a1.x, rows[i]), 0) - at_a;
-        right[i] = texelFetch(table, ivec2(b1.x, rows[i]), 0) - at_b;
-    }
-    vec4 sums[3];
-    for (int k = 0; k < 3; ++k) {
-        int upper = k == 0 ? 2 : k == 1 ? 1 : 3;
-        int lower = k == 2 ? 2 : 0;
-        sums[k] = convert_sum(whole[upper] - whole[lower]) + share_b.x * convert_sum(right[upper] - right[lower]) -
-                  share_a.x * convert_sum(left[upper] - left[lower]);
-    }
-    return sums[0] + share_b.y * sums[2] - share_a.y * sums[1];
+    ivec2 columns = ivec2(a.x, b.x);
+    ivec2 next_columns = ivec2(a1.x, b1.x);
+    LatticeRow at_a = read_lattice_row(table, columns, next_columns, a.y);
+    LatticeRow after_a = read_lattice_row(table, columns, next_columns, a1.y);
+    LatticeRow at_b = read_lattice_row(table, columns, next_columns, b.y);
+    LatticeRow after_b = read_lattice_row(table, columns, next_columns, b1.y);
+    vec4 whole = sum_rows(at_b, at_a, share_a.x, share_b.x);
+    vec4 lower = sum_rows(after_a, at_a, share_a.x, share_b.x);
+    vec4 upper = sum_rows(after_b, at_b, share_a.x, share_b.x);
+    return whole + share_b.y * upper - share_a.y * lower;
 }
 
 vec4 sum_rectangle(SAT_SAMPLER table, vec2 low, vec2 high) {

@@ -7,7 +7,7 @@
 #include "methods/statvo/statvo_nodes.glsl"
 layout(binding = 0) uniform sampler2D visible_texture;
 layout(binding = 1) uniform sampler2D hidden_texture;
-layout(binding = 2) uniform usampler2D layer_texture; // of level NODE_LEVEL
+layout(binding = 2) uniform usampler2D layer_texture; // of the level before
 layout(binding = 3) uniform sampler2D range_texture;
 uniform vec2 size; // full resolution
 uniform vec2 tangents;
@@ -38,7 +38,7 @@ void main() {
     TableSpace space = make_table_space(texelFetch(range_texture, ivec2(0), 0), size, tangents);
     vec2 first = vec2(place * param_downsample);
     vec2 center = 0.5 * (first + min(first + float(param_downsample), size));
-    uvec2 parents = NODE_LEVEL == 0 ? uvec2(0u) : texelFetch(layer_texture, place, 0).rg;
+    uvec2 parents = NODE_COUNT == 1 ? uvec2(0u) : texelFetch(layer_texture, place, 0).rg;
     layers.r = split_sample(texelFetch(visible_texture, place, 0), parents.r, center, space, size, tangents);
     layers.g = param_source == param_source_peeled
                    ? split_sample(texelFetch(hidden_texture, place, 0), parents.g, center, space, size, tangents)

@@ -13,8 +13,7 @@ constexpr GLuint kSamplesUnit = kStatvoTablesUnit + kStatvoBatch;
 StatvoRenderer::StatvoRenderer(const gl::Functions& gl, const ResolvedParameters& resolved)
     : m_gl(gl), m_params(make_statvo_table().bind<StatvoParams>(resolved)),
       m_parameters(gl, make_statvo_table(), resolved), m_tables(gl, m_params, m_parameters) {
-    gl::GeneratedFiles files =
-        m_tables.make_generated_files(m_params.levels, m_tables.count_nodes());
+    gl::GeneratedFiles files = m_tables.make_generated_files(m_tables.count_nodes());
     if (m_params.layering == StatvoLayering::uniform) {
         files["summed_area_format.glsl"] += "#define ACCUMULATES\n";
         m_resolve = FullScreenProgram(gl, make_method_shader_library(),

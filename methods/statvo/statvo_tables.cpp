@@ -30,20 +30,22 @@ StatvoLayerTables::StatvoLayerTables(const gl::Functions& gl, const StatvoParams
         m_slice = make("slice", parameters.generated_files());
     } else {
         for (int level = 0; level < params.levels; ++level) {
-            m_partitions.push_back(make("partition", make_generated_files(level, 1 << level)));
+            m_partitions.push_back(make("partition", make_generated_files(1 << level)));
         }
     }
-    gl::GeneratedFiles files = make_generated_files(0, 1);
+    gl::GeneratedFiles files = make_generated_files(1);
     files["summed_area_input.glsl"] = "#include \"methods/statvo/statvo_layer_input.glsl\"\n";
     m_scan = SummedAreaScan(gl, files);
     parameters.connect(m_scan.program());
 }
 
-gl::GeneratedFiles StatvoLayerTables::make_generated_files(int level, int nodes) const {
+gl::GeneratedFiles StatvoLayerTables::make_generated_files(int nodes) const {
+    const bool has_all =
+        m_params.layering == StatvoLayering::uniform || m_params.tables == StatvoTables::all;
     gl::GeneratedFiles files = m_parameters->generated_files();
     files["summed_area_format.glsl"] =
-        make_summed_area_glsl(get_format(), m_params.downsample > 1) + "#define NODE_LEVEL " +
-        std::to_string(level) + "\n#define NODE_COUNT " + std::to_string(nodes) + "\n";
+        make_summed_area_glsl(get_format(), m_params.downsample > 1) + "#define NODE_COUNT " +
+        std::to_string(nodes) + "\n#define HAS_ALL_TABLES " + (has_all ? "1" : "0") + "\n";
     return files;
 }
 

@@ -36,8 +36,8 @@ class StatvoLayerTables {
 
     /// Layers that one evaluation adds up: NODE_COUNT of its shader.
     [[nodiscard]] int count_nodes() const;
-    /// What shaders over the tables include, for the layers of an adaptive level.
-    [[nodiscard]] gl::GeneratedFiles make_generated_files(int level, int nodes) const;
+    /// What shaders over the tables include, for so many layers.
+    [[nodiscard]] gl::GeneratedFiles make_generated_files(int nodes) const;
 
   private:
     [[nodiscard]] SummedAreaFormat get_format() const;
