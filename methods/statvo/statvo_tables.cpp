@@ -64,6 +64,12 @@ int StatvoLayerTables::count_nodes() const {
                                                         : 1 << m_params.levels;
 }
 
+int StatvoLayerTables::count_tables() const {
+    return m_params.layering == StatvoLayering::uniform
+               ? count_nodes()
+               : find_first_table(m_params.levels) + (1 << m_params.levels);
+}
+
 int StatvoLayerTables::find_first_table(int level) const {
     return m_params.tables == StatvoTables::all ? (1 << level) - 1 : 0;
 }
@@ -98,10 +104,7 @@ void StatvoLayerTables::resize(ImageSize size) {
         add_stage(m_layers, GL_RG8UI, m_sample_size);
     }
     m_tables.clear();
-    const bool is_uniform = m_params.layering == StatvoLayering::uniform;
-    const int count =
-        is_uniform ? count_nodes() : find_first_table(m_params.levels) + (1 << m_params.levels);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count_tables(); ++i) {
         m_tables.emplace_back(gl, get_format(), m_sample_size);
     }
 }

@@ -36,6 +36,8 @@ class StatvoLayerTables {
 
     /// Layers that one evaluation adds up: NODE_COUNT of its shader.
     [[nodiscard]] int count_nodes() const;
+    /// Tables that one frame builds of adaptive layers, or a batch of uniform ones.
+    [[nodiscard]] int count_tables() const;
     /// What shaders over the tables include, for so many layers.
     [[nodiscard]] gl::GeneratedFiles make_generated_files(int nodes) const;
 
