@@ -15,7 +15,13 @@ std::string cite(const std::string& section) {
     return kPaper + (", " + section);
 }
 
-/// What most published images have in common: the scheme of section 7, evaluated in one region.
+/// Overrides of a published setting: tables of plain float32 as section 8 words them.
+std::vector<ParameterOverride> make_paper_overrides(PresetSettings settings) {
+    std::vector<ParameterOverride> overrides = make_overrides(settings);
+    overrides.push_back({"numbers", "float32", Provenance::preset});
+    return overrides;
+}
+
 std::vector<Preset> make_presets() {
     const char* const kCentred = "the surface lies in the middle of the box, so that a plane that "
                                  "faces the camera fills half of it";
@@ -27,26 +33,28 @@ std::vector<Preset> make_presets() {
          2.0,
          ""},
         {"paper_fig6_one_layer", "one layer at full resolution: dark halos",
-         make_overrides({{"levels", "0"}, {"downsample", "1"}, {"tables", "all"}}), 1.0, 2.0, ""},
-        {"paper_fig6_uniform_64", "64 uniform layers at full resolution",
-         make_overrides({{"layering", "uniform"}, {"slices", "64"}, {"downsample", "1"}}), 1.0, 2.0,
+         make_paper_overrides({{"levels", "0"}, {"downsample", "1"}, {"tables", "all"}}), 1.0, 2.0,
          ""},
+        {"paper_fig6_uniform_64", "64 uniform layers at full resolution",
+         make_paper_overrides({{"layering", "uniform"}, {"slices", "64"}, {"downsample", "1"}}),
+         1.0, 2.0, ""},
         {"paper_fig6_adaptive_4",
          "4 adaptive layers at full resolution, all seven tables: without section 7",
-         make_overrides({{"downsample", "1"}, {"tables", "all"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"downsample", "1"}, {"tables", "all"}}), 1.0, 2.0, ""},
         {"paper_view_aligned", "figure 7 (a) and (b): 4 adaptive layers, heights along the view",
-         make_overrides({{"projection", "view_aligned"}, {"downsample", "1"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"projection", "view_aligned"}, {"downsample", "1"}}), 1.0, 2.0, ""},
         {"paper_centred_box", "the view-aligned box as section 3.3 words it, about the surface",
-         make_overrides({{"projection", "view_aligned"}, {"box", "centre"}, {"downsample", "1"}}),
+         make_paper_overrides(
+             {{"projection", "view_aligned"}, {"box", "centre"}, {"downsample", "1"}}),
          128.0, 128.0, kCentred},
         {"paper_fig8_quadrants", "4 regions a box",
-         make_overrides({{"regions", "four"}, {"downsample", "1"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"regions", "four"}, {"downsample", "1"}}), 1.0, 2.0, ""},
         {"paper_table1_full", "table 1 and figure 13: full-resolution tables, differential",
-         make_overrides({{"downsample", "1"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"downsample", "1"}}), 1.0, 2.0, ""},
         {"paper_table1_half", "table 1 and figure 9 (b): half-resolution tables",
-         make_overrides({{"downsample", "2"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"downsample", "2"}}), 1.0, 2.0, ""},
         {"paper_quarter", "figures 9 (c), 11, 12, 14 and 15: quarter-resolution tables",
-         make_overrides({{"downsample", "4"}, {"numbers", "float32"}}), 1.0, 2.0, ""},
+         make_paper_overrides({{"downsample", "4"}}), 1.0, 2.0, ""},
         {"peeled", "as default, with the second depth layer's samples: the authors' future work",
          make_overrides({{"source", "peeled"}}), 1.0, 2.0, ""},
     };

@@ -42,8 +42,8 @@ class Evaluator {
     Evaluator(const Image& depth, const Image& normal, const Image& hidden, const Camera& camera,
               const StatvoParams& params)
         : m_depth(depth), m_normal(normal), m_params(params),
-          m_tangents(compute_tangents(camera, depth.size())),
-          m_size(depth.width(), depth.height()) {
+          m_tangents(compute_tangents(camera, depth.size())), m_size(depth.width(), depth.height()),
+          m_columns_and_rows(glm::ceil(m_size / double(params.downsample))) {
         add_samples(depth);
         if (params.source == StatvoSource::peeled) {
             add_samples(hidden);
@@ -106,9 +106,7 @@ class Evaluator {
                         }
                     }
                 }
-                if (sample.count > 0.0) {
-                    m_samples.push_back(sample);
-                }
+                m_samples.push_back(sample);
             }
         }
     }
@@ -133,13 +131,34 @@ class Evaluator {
         return box;
     }
 
+    /// Those that the rectangle touches, of each depth layer of the frame.
+    template <class Visit>
+    void for_each_sample(const Rectangle& region, Visit visit) const {
+        const glm::ivec2 first = glm::floor(region.low / double(m_params.downsample));
+        const glm::ivec2 end = glm::min(
+            glm::ivec2(glm::ceil(region.high / double(m_params.downsample))), m_columns_and_rows);
+        const std::size_t plane =
+            std::size_t(m_columns_and_rows.x) * std::size_t(m_columns_and_rows.y);
+        for (std::size_t base = 0; base < m_samples.size(); base += plane) {
+            for (int y = first.y; y < end.y; ++y) {
+                for (int x = first.x; x < end.x; ++x) {
+                    const Sample& sample =
+                        m_samples[base + std::size_t(y * m_columns_and_rows.x + x)];
+                    if (sample.count > 0.0) {
+                        visit(sample);
+                    }
+                }
+            }
+        }
+    }
+
     /// Samples that the rectangle's edges cut count by their share of area.
     [[nodiscard]] Layers add_layers(const Rectangle& region) const {
         const int count =
             m_params.layering == StatvoLayering::uniform ? m_params.slices : 1 << m_params.levels;
         Layers layers;
         layers.sums.resize(static_cast<std::size_t>(count));
-        for (const Sample& sample : m_samples) {
+        for_each_sample(region, [&](const Sample& sample) {
             const Rectangle extent = get_extent(sample);
             const glm::dvec2 common = glm::max(
                 glm::min(extent.high, region.high) - glm::max(extent.low, region.low), 0.0);
@@ -149,7 +168,7 @@ class Evaluator {
             layer.sum += share * sample.sum;
             layer.count += share * sample.count;
             layers.flagged += sample.is_near ? share * sample.count : 0.0;
-        }
+        });
         for (LayerSum& layer : layers.sums) {
             layer.is_near = std::abs(layer.count - 0.5) < kStatvoMargin;
         }
@@ -159,6 +178,9 @@ class Evaluator {
     void split_layers() {
         std::vector<Sample> split = m_samples;
         for (Sample& sample : split) {
+            if (sample.count == 0.0) {
+                continue;
+            }
             const Rectangle extent = get_extent(sample);
             const Rectangle box = make_box(0.5 * (extent.low + extent.high), sample.depth());
             const Layers layers = add_layers(box);
@@ -178,11 +200,16 @@ class Evaluator {
     void assign_slices() {
         double nearest = INFINITY;
         double farthest = 0.0;
-        for (const Sample& sample : m_samples) {
-            nearest = std::min(nearest, sample.depth());
-            farthest = std::max(farthest, sample.depth());
-        }
+        std::vector<Sample*> filled;
         for (Sample& sample : m_samples) {
+            if (sample.count > 0.0) {
+                filled.push_back(&sample);
+                nearest = std::min(nearest, sample.depth());
+                farthest = std::max(farthest, sample.depth());
+            }
+        }
+        for (Sample* const each : filled) {
+            Sample& sample = *each;
             const double place =
                 (sample.depth() - nearest) / (farthest - nearest) * m_params.slices;
             sample.layer = std::clamp(static_cast<int>(place), 0, m_params.slices - 1);
@@ -218,7 +245,8 @@ class Evaluator {
     StatvoParams m_params;
     glm::dvec2 m_tangents;
     glm::dvec2 m_size;
-    std::vector<Sample> m_samples;
+    glm::ivec2 m_columns_and_rows; ///< of samples
+    std::vector<Sample> m_samples; ///< row by row, of the visible surfaces, then of the hidden
 };
 
 } // namespace
