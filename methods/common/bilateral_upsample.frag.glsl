@@ -32,29 +32,32 @@ void main() {
         visibility = 1.0;
         return;
     }
-    vec3 p = reconstruct_view_position(gl_FragCoord.xy * pixel_size, depth, tangents);
     vec3 n = texelFetch(normal_texture, pixel, 0).xyz;
-    ivec2 last = textureSize(visibility_texture, 0) - 1;
+    // Positions are linear in place x depth, and so is their height over the plane: dot(q, n) = depth (base + dot(slope,
+    // place)), relative to the pixel so that large depths lose nothing.
+    float base = dot(reconstruct_view_position(gl_FragCoord.xy * pixel_size, 1.0, tangents), n);
+    vec2 slope = 2.0 * tangents * pixel_size * n.xy;
+    float scale = 1.0 / edge_distance;
+    vec2 texel_size = 1.0 / vec2(textureSize(visibility_texture, 0));
     float reach = 0.5 * float(width) + 1.0;
-    // The pixel of texel t has its centre at 2 t + 0.5 or 2 t + 1.5.
-    ivec2 first = max(ivec2(ceil(0.5 * (gl_FragCoord.xy - reach - 1.5))), ivec2(0));
-    ivec2 end = min(ivec2(floor(0.5 * (gl_FragCoord.xy + reach - 0.5))), last);
+    // The pixel of texel t has its centre at 2 t + 0.5, or one further. At least the pixel's own texel and those on each
+    // side: see kWindowRest.
+    vec2 first = min(ceil(0.5 * (gl_FragCoord.xy - reach - 0.5)), floor(0.5 * gl_FragCoord.xy) - 1.0);
+    int taps = max(3, int(ceil(reach)));
     float sum = 0.0;
     float total = 0.0;
-    for (int y = first.y; y <= end.y; ++y) {
-        for (int x = first.x; x <= end.x; ++x) {
-            ivec2 texel = ivec2(x, y);
-            HalfPixel tap = read_half_pixel(selection_texture, texel);
-            vec2 place = vec2(tap.pixel) + 0.5;
-            vec2 window = compute_window(place - gl_FragCoord.xy);
-            float weight = kBackgroundRest;
-            if (!isinf(tap.depth)) {
-                vec3 q = reconstruct_view_position(place * pixel_size, tap.depth, tangents);
-                float off_plane = dot(q - p, n) / edge_distance;
-                weight = exp(-off_plane * off_plane) + kSurfaceRest;
-            }
-            weight *= window.x * window.y;
-            sum += weight * texelFetch(visibility_texture, texel, 0).r;
+    for (int y = 0; y < taps; ++y) {
+        for (int x = 0; x < taps; ++x) {
+            vec2 texel = first + vec2(x, y);
+            vec2 uv = (texel + 0.5) * texel_size;
+            vec2 selected = textureLod(selection_texture, uv, 0.0).rg;
+            vec2 off = 2.0 * texel + 0.5 + find_place(selected.g) - gl_FragCoord.xy;
+            vec2 window = compute_window(off);
+            float height = (selected.r * (base + dot(slope, off)) - depth * base) * scale;
+            float weight = isinf(selected.r) ? kBackgroundRest : exp(-height * height) + kSurfaceRest;
+            bool is_inside = all(greaterThan(uv, vec2(0.0))) && all(lessThan(uv, vec2(1.0)));
+            weight = is_inside ? weight * window.x * window.y : 0.0;
+            sum += weight * textureLod(visibility_texture, uv, 0.0).r;
             total += weight;
         }
     }

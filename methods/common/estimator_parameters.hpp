@@ -2,6 +2,7 @@
 // Parameters that every method over the shared estimators declares alike: one text for all tables.
 
 #include "core/base/parameters.hpp"
+#include "methods/common/estimator_method.hpp"
 #include "methods/common/kernels.hpp"
 
 namespace alcove {
@@ -18,6 +19,28 @@ template <class P>
         .default_expression("scene_radius")
         .meaning("Reach of the samples.")
         .source(kMattausch2010);
+}
+
+/// Compiled into the shader: the length of its kernel. Add the source.
+template <class P>
+[[nodiscard]] ParameterBuilder describe_samples(int P::*field) {
+    return integer(field, "samples")
+        .range(1, 512)
+        .log_scale()
+        .rebuild()
+        .unit("samples")
+        .symbol("n")
+        .meaning("Samples a pixel.");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_grazing_cosine(double P::*field) {
+    return real(field, "grazing_cosine")
+        .range(0.0, 0.3)
+        .unit("cosine")
+        .symbol("eps_g")
+        .meaning("Smaller elevations of a disc's surface points are rejected.")
+        .source("Mattausch et al. 2010; value ours");
 }
 
 template <class P>
@@ -65,6 +88,53 @@ template <class P>
         .rebuild()
         .meaning("Samples outside the image: never blocked, or compared with the nearest pixel.")
         .source("clamp: Mattausch et al. 2010");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_rotation(KernelRotation P::*field) {
+    return choice(field, "rotation", {"off", "tile", "pixel"})
+        .rebuild()
+        .meaning("Turns the kernel about its axis: not at all, by 16 angles that repeat in 4x4 "
+                 "pixels, or by a random angle a pixel.")
+        .source("tile: Mittring 2007");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_resolution(EstimatorResolution P::*field) {
+    return choice(field, "resolution", {"full", "half"})
+        .rebuild()
+        .meaning("Half: the estimate at half width and height, then upsampling along surfaces.")
+        .source("Kopf et al. 2007");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_blur_radius(int P::*field) {
+    return integer(field, "blur_radius")
+        .range(0, 8)
+        .unit("px")
+        .meaning("Taps on each side of the cross-bilateral blur; 0 is off.")
+        .source(kMattausch2010);
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_upsample_width(int P::*field) {
+    return integer(field, "upsample_width")
+        .range(2, 16)
+        .unit("px")
+        .meaning("Window of the upsampling at half resolution; 2 is linear interpolation.")
+        .alive_with("resolution=half")
+        .source("Kopf et al. 2007");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_blur_edge(double P::*field) {
+    return real(field, "blur_edge")
+        .range(0.001, 10.0)
+        .log_scale()
+        .unit("r")
+        .meaning("Distance off the receiver's tangent plane at which a tap's weight is 1/e: small "
+                 "keeps edges (weak blur), large blurs over them (strong blur).")
+        .source("ours");
 }
 
 } // namespace alcove

@@ -10,25 +10,26 @@ std::vector<ParameterOverride> make_overrides(PresetSettings settings) {
     return overrides;
 }
 
-TargetMapping map_linear_cosine_target(const Target& target) {
+TargetMapping map_radius(const Target& target, const EstimatorResponse& response) {
     TargetMapping mapping;
     mapping.overrides = {
         {"radius", to_text(ParameterValue{target.radius_m}), Provenance::target},
     };
-    const auto add = [&mapping](const std::string& reason) {
-        mapping.reason += (mapping.reason.empty() ? "" : "; ") + reason;
+    const auto compare = [&mapping](const char* what, std::string_view asked,
+                                    const std::string& computed) {
+        if (asked != computed) {
+            mapping.reason += (mapping.reason.empty() ? "" : "; ") + std::string(what) + " " +
+                              std::string(asked) + " asked for, computed: " + computed;
+        }
     };
-    if (target.falloff != Falloff::linear) {
-        add("falloff " + std::string(to_text(target.falloff)) +
-            " asked for, linear computed: the step length is uniform");
-    }
-    if (target.weighting != Weighting::cosine) {
-        add("weighting uniform asked for, cosine computed");
-    }
-    if (target.normals != Normals::shading) {
-        add("geometric normals asked for, the G-buffer's shading normals used");
-    }
+    compare("falloff", to_text(target.falloff), response.falloff);
+    compare("weighting", to_text(target.weighting), response.weighting);
+    compare("normals", to_text(target.normals), "shading");
     return mapping;
+}
+
+TargetMapping map_linear_cosine_target(const Target& target) {
+    return map_radius(target, {"linear", "cosine"});
 }
 
 } // namespace alcove

@@ -6,7 +6,7 @@
 // This work is based on: Mittring. Finding next gen: CryEngine 2. 2007; and on the blog "Know your
 // SSAO artifacts", 2013.
 
-#include "core/contract/method.hpp"
+#include "methods/common/estimator_method.hpp"
 #include "methods/common/kernels.hpp"
 
 namespace alcove {
@@ -27,7 +27,6 @@ enum class CrytekRandomisation { off, tile, pixel };
 /// `kernel_size`, chosen by the pixel: with one random number for both, or with one each.
 enum class CrytekIndexing { constant, decoupled_literal, decoupled };
 enum class CrytekWeighting { uniform, cosine };
-enum class CrytekResolution { full, half };
 
 struct CrytekSsaoParams {
     double radius = 0.5; ///< metres
@@ -46,7 +45,7 @@ struct CrytekSsaoParams {
     double bias = 1.0;            ///< in half pixel footprints along the surface
     KernelBorder border = KernelBorder::open;
     double strength = 1.0; ///< factor on occlusion
-    CrytekResolution resolution = CrytekResolution::full;
+    EstimatorResolution resolution = EstimatorResolution::full;
     int upsample_width = 8; ///< pixels of the full resolution
     int blur_radius = 3;    ///< pixels on each side; 0: no blur
     double blur_edge = 0.1; ///< in radii off the tangent plane

@@ -2,17 +2,10 @@
 // This work is based on: Mittring. Finding next gen: CryEngine 2. 2007; "Know your SSAO artifacts", 2013 (kernels, least
 // cosine, range check). The bias is ours (see README).
 #include "parameters.glsl"
-#include "core/frame/reconstruct.glsl"
-#include "methods/common/half_resolution.glsl"
+#include "methods/common/estimator.glsl"
 #include "methods/common/hemisphere_estimator.glsl"
 #include "methods/crytek_ssao/crytek_ssao_kernel.glsl"
 #include "methods/crytek_ssao/crytek_ssao_random.glsl"
-layout(binding = 0) uniform sampler2D eye_depth_texture;
-layout(binding = 1) uniform sampler2D normal_texture;
-layout(binding = 2) uniform sampler2D selection_texture; // half resolution alone
-uniform vec2 tangents;
-uniform uint noise_seed;
-layout(location = 0) out float visibility;
 
 // 1 if the surface hides q from the viewer and lies less than `range` before it.
 float compute_blocked(vec3 q, float bias, float range, vec2 half_pixel) {
@@ -27,24 +20,17 @@ float compute_blocked(vec3 q, float bias, float range, vec2 half_pixel) {
     return comparable && is_hidden(surface, inverse_depth, bias) && -q.z - surface < range ? 1.0 : 0.0;
 }
 
-HalfPixel find_pixel(ivec2 texel) {
-    if (param_resolution == param_resolution_half) {
-        return read_half_pixel(selection_texture, texel);
-    }
-    return HalfPixel(texel, texelFetch(eye_depth_texture, texel, 0).r);
-}
-
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    vec2 pixel_size = 1.0 / vec2(textureSize(eye_depth_texture, 0));
-    HalfPixel at = find_pixel(texel);
-    if (isinf(at.depth)) {
+    Receiver receiver = read_receiver(texel);
+    if (isinf(receiver.depth)) {
         visibility = 1.0;
         return;
     }
-    vec3 p = reconstruct_view_position((vec2(at.pixel) + 0.5) * pixel_size, at.depth, tangents);
-    vec3 n = texelFetch(normal_texture, at.pixel, 0).xyz;
-    n = normalize(dot(n, n) > 0.0 ? n : -p);
+    vec3 p = receiver.position;
+    vec2 pixel_size = receiver.pixel_size;
+    // Where there is no normal, that of a surface that faces the viewer.
+    vec3 n = dot(receiver.normal, receiver.normal) > 0.0 ? receiver.normal : normalize(-p);
     TexelRandom random = compute_texel_random(texel, noise_seed);
     vec3 tangent;
     vec3 bitangent;

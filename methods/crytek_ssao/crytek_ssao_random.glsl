@@ -10,14 +10,11 @@ struct TexelRandom {
 };
 
 // Four numbers in [0,1) for each of 16 places: a lattice, so that every tile holds angles, elevations and offsets evenly
-// spread; neighbours differ much by the order of the places.
+// spread. Odd factors: each of the four runs over all sixteenths.
 vec4 compute_tile_numbers(ivec2 texel, uint seed) {
-    const int order[16] = int[](0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5);
-    int place = order[(texel.x & 3) + 4 * (texel.y & 3)];
     vec4 shift = vec4(compute_pixel_noise(ivec2(0, 0), seed), compute_pixel_noise(ivec2(1, 0), seed),
                       compute_pixel_noise(ivec2(2, 0), seed), compute_pixel_noise(ivec2(3, 0), seed));
-    // Odd factors: each of the four runs over all sixteenths.
-    return fract(vec4(place * ivec4(1, 5, 11, 3)) / 16.0 + shift);
+    return fract(compute_tile_noise(texel, seed) * vec4(1.0, 5.0, 11.0, 3.0) + shift);
 }
 
 vec4 compute_pixel_numbers(ivec2 texel, uint seed) {

@@ -13,9 +13,9 @@ struct HemisphereSsaoParams {
     double radius = 0.5; ///< metres
     int samples = 16;    ///< a pixel
     KernelDirections directions = KernelDirections::cosine;
-    bool rotation = true; ///< a random angle about the normal, a pixel
-    double cut = 2.0;     ///< in radii
-    double bias = 1.0;    ///< in half pixel footprints along the surface
+    KernelRotation rotation = KernelRotation::pixel;
+    double cut = 2.0;  ///< in radii
+    double bias = 1.0; ///< in half pixel footprints along the surface
     KernelBorder border = KernelBorder::open;
     double strength = 1.0;   ///< factor on occlusion
     int blur_radius = 2;     ///< pixels on each side; 0: no blur

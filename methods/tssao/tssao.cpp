@@ -204,13 +204,7 @@ ParameterTable make_tssao_table() {
             describe_bias(&P::bias),
             describe_border(&P::border),
             describe_strength(&P::strength),
-            real(&P::grazing_cosine, "grazing_cosine")
-                .range(0.0, 0.3)
-                .unit("cosine")
-                .symbol("eps_g")
-                .meaning("Smaller elevations are rejected by fox_compton.")
-                .alive_with("estimator=fox_compton")
-                .source(kUnpublished),
+            describe_grazing_cosine(&P::grazing_cosine).alive_with("estimator=fox_compton"),
             choice(&P::resolution, "resolution", {"full", "half"})
                 .rebuild()
                 .meaning("Half: all but the last pass at half width and height, then depth-aware "

@@ -25,6 +25,7 @@ constexpr std::array<const char*, 5> kRigs{"plane", "corner", "tilt", "silhouett
 struct RigsParameters {
     Rig rig = Rig::corner;
     double tilt_degrees = 60.0;
+    double distance_m = 5.0;
 };
 
 ParameterTable make_table() {
@@ -39,6 +40,14 @@ ParameterTable make_table() {
                      .unit("degrees")
                      .meaning("how far the plane of rig=tilt leans away from the camera")
                      .alive_with("rig=tilt")
+                     .source("ours"),
+                 real(&P::distance_m, "distance")
+                     .range(2.5, 30.0)
+                     .log_scale()
+                     .unit("m")
+                     .meaning("from the walkthrough's start to the planes of rig=plane and "
+                              "rig=tilt, along the view axis")
+                     .alive_with("rig=tilt")
                      .source("ours")});
 }
 
@@ -46,6 +55,7 @@ std::unique_ptr<Scene> make_case(const RigsParameters& parameters) {
     PlaneSettings plane;
     // 1 km is too much for a tracer in float: rays from far out on the slope hit the plane itself.
     plane.half_m = 40.0;
+    plane.distance_m = parameters.distance_m;
     switch (parameters.rig) {
     case Rig::plane:
         return make_plane_case(plane);
