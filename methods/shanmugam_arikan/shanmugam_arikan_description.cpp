@@ -53,6 +53,7 @@ std::vector<ParameterBuilder> describe_near_part() {
             .rebuild()
             .meaning("What the second layer is: the next surface of each pixel, or the nearest "
                      "that is seen from behind. Back faces make two layers in all.")
+            .alive_with("layers=3")
             .source(std::string(kPaper) + ", section 4.2 and figure 9"),
         real(&P::push_back, "push_back")
             .range(0.0, 4.0)
