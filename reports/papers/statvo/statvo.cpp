@@ -5,6 +5,19 @@
 
 namespace alcove {
 
+std::string describe_views(const Evidence& evidence, const std::string& part, std::size_t round) {
+    const RoundRecord& record = evidence.get_round(part, round);
+    constexpr int kPublishedHeight = 720;
+    std::string text = std::to_string(record.segments.size()) + " views of " + record.scene +
+                       " at " + std::to_string(record.width) + "x" + std::to_string(record.height);
+    if (record.height < kPublishedHeight && part != "resolution") {
+        text +=
+            "; a box has fewer pixels than as published, so that downsampled tables are coarser "
+            "in it, and passes are short beside their start";
+    }
+    return text;
+}
+
 Reproduction reproduce_statvo(const Evidence& evidence, const std::string& scale) {
     Judge judge;
     judge_statvo_times(evidence, judge);

@@ -19,6 +19,11 @@ void list_statvo_untestable(Judge& judge);
 [[nodiscard]] std::vector<PaperTable> make_statvo_tables(const Evidence& evidence);
 [[nodiscard]] std::vector<PaperFigure> make_statvo_figures(const Evidence& evidence);
 
+/// "8 views of cathedral at 320x180, ...": on what a round's numbers were found, and what its size
+/// does to them where it is smaller than published.
+[[nodiscard]] std::string describe_views(const Evidence& evidence, const std::string& part,
+                                         std::size_t round = 0);
+
 /// A row of Table 1: one pass, its milliseconds as published and the claims that print them.
 struct StatvoRow {
     const char* title;

@@ -6,8 +6,10 @@ namespace alcove {
 namespace {
 
 constexpr auto kCold = SampleState::cold;
-constexpr const char* kViews =
-    "eight views of the cathedral against 256 points of volumetric obscurance";
+/// With what errors are measured against.
+std::string describe_points(const Evidence& evidence, const std::string& part) {
+    return "against 256 points of volumetric obscurance, " + describe_views(evidence, part);
+}
 
 CellAddress layers(const char* label) {
     return {"layers", 0, label};
@@ -28,11 +30,13 @@ Outcome is_below(const Evidence& evidence, const CellAddress& a, const CellAddre
 }
 
 void judge_layers(const Evidence& evidence, Judge& judge) {
-    const Estimate halo =
-        evidence.compare_metric(layers("4 adaptive"), layers("1 layer"), "halo_width", kCold);
-    judge.set("STATVO-026",
-              {judge_below(halo, 0.0), "halos of one layer are wider than those of 4 adaptive ones",
-               halo, std::string(kViews) + "; measured: 4 - 1, pixels"});
+    const std::string views = describe_points(evidence, "layers");
+    const Estimate halo = evidence.compare_metric({"halos", 0, "4 adaptive"},
+                                                  {"halos", 0, "1 layer"}, "halo_width", kCold);
+    judge.set("STATVO-026", {judge_below(halo, 0.0),
+                             "halos of one layer are wider than those of 4 adaptive ones", halo,
+                             "against 64 uniform layers, which have none, " +
+                                 describe_views(evidence, "halos") + "; measured: 4 - 1, pixels"});
     const char* const kUniform[] = {"1 layer", "4 uniform", "16 uniform", "32 uniform",
                                     "64 uniform"};
     std::vector<Outcome> falling;
@@ -42,7 +46,7 @@ void judge_layers(const Evidence& evidence, Judge& judge) {
     judge.set("STATVO-030",
               {combine(falling), "rmse falls from 1 to 4, 16, 32 and 64 uniform layers",
                evidence.compare_metric(layers("64 uniform"), layers("32 uniform"), "rmse", kCold),
-               std::string(kViews) + "; measured: 64 - 32"});
+               views + "; measured: 64 - 32"});
     const Estimate gained =
         evidence.compare_metric(layers("64 uniform"), layers("1 layer"), "rmse", kCold);
     const Estimate apart =
@@ -54,14 +58,15 @@ void judge_layers(const Evidence& evidence, Judge& judge) {
                         judge_within(apart, -near, near)}),
                "rmse falls from 1 to 2 to 4 adaptive layers, and 4 are as near to 64 uniform ones "
                "as a quarter of what those gain over one",
-               apart, std::string(kViews) + "; measured: 4 adaptive - 64 uniform"});
+               apart, views + "; measured: 4 adaptive - 64 uniform"});
 }
 
 void judge_sizes(const Evidence& evidence, Judge& judge) {
+    const std::string views = describe_points(evidence, "reference");
     const Estimate regions =
         evidence.compare_metric(reference("four regions"), reference("full"), "rmse", kCold);
-    judge.set("STATVO-034", {judge_below(regions, 0.0), "rmse with four regions - with one < 0",
-                             regions, kViews});
+    judge.set("STATVO-034",
+              {judge_below(regions, 0.0), "rmse with four regions - with one < 0", regions, views});
     const Estimate half = evidence.estimate_metric(tables("half"), "ssim", kCold);
     const Estimate quarter = evidence.estimate_metric(tables("quarter"), "ssim", kCold);
     judge.set("STATVO-038",
@@ -70,19 +75,21 @@ void judge_sizes(const Evidence& evidence, Judge& judge) {
                         is_below(evidence, reference("half"), reference("quarter"), "rmse")}),
                "ssim to full tables above 0.95 (half) and 0.9 (quarter); rmse full < half < "
                "quarter",
-               quarter, std::string(kViews) + "; measured: ssim of quarter to full"});
+               quarter, views + "; measured: ssim of quarter to full"});
     const Estimate equal = evidence.estimate_metric(tables("all tables"), "rmse", kCold);
-    judge.set("STATVO-041", {judge_below(equal, 1.0 / 255.0),
-                             "differences of tables are within 1/255 rmse of tables of their own",
-                             equal, "float32, full resolution; eight views of the cathedral"});
+    judge.set("STATVO-041",
+              {judge_below(equal, 1.0 / 255.0),
+               "differences of tables are within 1/255 rmse of tables of their own", equal,
+               "float32, full resolution; " + describe_views(evidence, "tables")});
     // A step of 4 of 255 is hard to see.
     const Estimate p95 = evidence.estimate_metric(tables("quarter"), "p95_error", kCold);
     judge.set("STATVO-064", {judge_below(p95, 4.0 / 255.0),
                              "95 % of the pixels are within 4/255 of those with full tables", p95,
-                             "quarter-resolution tables; eight views of the cathedral"});
+                             "quarter-resolution tables; " + describe_views(evidence, "tables")});
 }
 
 void judge_reference(const Evidence& evidence, Judge& judge) {
+    const std::string views = describe_points(evidence, "reference");
     const CellRecord& truth = evidence.get_round("reference", 0).reference;
     std::string samples;
     for (const ParameterRecord& parameter : truth.parameters) {
@@ -91,11 +98,11 @@ void judge_reference(const Evidence& evidence, Judge& judge) {
     const Estimate error = evidence.estimate_metric(reference("full"), "rmse", kCold);
     judge.set("STATVO-053", {samples == "256" ? judge_below(error, 0.1) : Outcome::fails,
                              "rmse to 256 points without rotation and blur is below 0.1", error,
-                             std::string(kViews) + "; samples of the reference: " + samples});
+                             views + "; samples of the reference: " + samples});
     const Estimate gain =
         evidence.compare_metric(reference("full"), reference("1 layer"), "rmse", kCold);
     judge.set("STATVO-054",
-              {judge_below(gain, 0.0), "rmse with 4 adaptive layers - with one < 0", gain, kViews});
+              {judge_below(gain, 0.0), "rmse with 4 adaptive layers - with one < 0", gain, views});
 }
 
 void judge_scenes(const Evidence& evidence, Judge& judge) {

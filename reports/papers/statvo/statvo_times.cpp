@@ -11,8 +11,6 @@ const CellAddress kQuarter{"tables", 0, "quarter"};
 const CellAddress kAllTables{"tables", 0, "all tables"};
 const CellAddress kFourRegions{"tables", 0, "four regions"};
 
-constexpr const char* kViews = "eight views of the cathedral at a quarter of 1280x720 each way";
-
 std::vector<std::string> list_all_passes() {
     std::vector<std::string> passes;
     for (const StatvoRow& row : list_statvo_rows()) {
@@ -26,82 +24,85 @@ void judge_shares(const Evidence& evidence, Judge& judge) {
     constexpr double kFullTotalMs = 8.76; // the rows' sum; the printed total is 8.86
     constexpr double kHalfTotalMs = 2.14;
     const std::vector<std::string> all = list_all_passes();
+    const std::string views = describe_views(evidence, "tables");
     for (const StatvoRow& row : list_statvo_rows()) {
         const auto judge_share = [&](const char* claim, const CellAddress& cell, double share) {
             const Estimate measured = evidence.compare_passes(cell, row.passes, cell, all);
             judge.set(claim, {judge_within(measured, 0.5 * share, 2.0 * share),
                               "the row's share of the total is half to twice the paper's", measured,
-                              kViews});
+                              views});
         };
         judge_share(row.claims[0], kFull, row.full_ms / kFullTotalMs);
         judge_share(row.claims[1], kHalf, row.half_ms / kHalfTotalMs);
         const double published = row.full_ms / row.half_ms;
         const Estimate faster = evidence.compare_passes(kFull, row.passes, kHalf, row.passes);
         judge.set(row.claims[2], {judge_within(faster, published / 1.33, published * 1.33),
-                                  "full / half within a third of the paper's", faster, kViews});
+                                  "full / half within a third of the paper's", faster, views});
     }
     const Estimate total = evidence.compare_passes(kFull, all, kHalf, all);
     const Finding total_speed_up{judge_within(total, 4.14 / 1.33, 4.14 * 1.33),
-                                 "total full / half within a third of 4.1", total, kViews};
+                                 "total full / half within a third of 4.1", total, views};
     judge.set("STATVO-018", total_speed_up);
     judge.set_untestable({"STATVO-016", "STATVO-017"},
                          "milliseconds of another device; their ratio is STATVO-018");
 }
 
 void judge_ratios(const Evidence& evidence, Judge& judge) {
+    const std::string views = describe_views(evidence, "tables");
     const std::vector<std::string> root{"statvo/root"};
     const std::vector<std::string> first{"statvo/level1"};
     const std::vector<std::string> second{"statvo/level2"};
     const Estimate twice = evidence.compare_passes(kFull, second, kFull, first);
-    judge.set("STATVO-019", {judge_within(twice, 1.6, 2.4),
-                             "two tables of the second level cost twice the first's (1.6 to 2.4)",
-                             twice, kViews});
+    judge.set("STATVO-019",
+              {judge_within(twice, 1.6, 2.4),
+               "two tables of the second level cost twice the first's (1.6 to 2.4)", twice, views});
     const Estimate partition = evidence.compare_passes(kFull, first, kFull, root);
     judge.set("STATVO-020", {judge_within(partition, 1.1, 1.6),
                              "first level / root, its partition included, between 1.1 and 1.6",
-                             partition, kViews});
+                             partition, views});
     const std::vector<std::string>& tables = list_statvo_table_passes();
     const Estimate share = evidence.compare_passes(kFull, tables, kFull, list_all_passes());
     judge.set("STATVO-021",
               {judge_above(share, 0.5),
-               "building tables is more than half of the total at full resolution", share, kViews});
+               "building tables is more than half of the total at full resolution", share, views});
     const Estimate half = evidence.compare_passes(kFull, tables, kHalf, tables);
     const Estimate quarter = evidence.compare_passes(kFull, tables, kQuarter, tables);
     const Outcome by_four = judge_within(half, 3.0, 5.3);
     judge.set("STATVO-036",
               {combine({by_four, judge_within(quarter, 12.0, 21.3)}),
                "tables of half and of quarter size cost a quarter and a sixteenth (within a third)",
-               quarter, kViews});
+               quarter, views});
     judge.set("STATVO-037",
               {combine({judge_within(half, 3.0, 5.3), judge_above(quarter, 4.0)}),
-               "downsampling by 2 to 4 saves a factor 4 to 16 of the tables' time", half, kViews});
+               "downsampling by 2 to 4 saves a factor 4 to 16 of the tables' time", half, views});
     judge.set("STATVO-045",
-              {by_four, "a quarter of the area costs a quarter (3 to 5.3)", half, kViews});
+              {by_four, "a quarter of the area costs a quarter (3 to 5.3)", half, views});
     const Estimate saved = evidence.compare_passes(kAllTables, tables, kFull, tables);
     judge.set("STATVO-040",
               {judge_above(saved, 1.0), "seven tables cost more than four differential ones", saved,
-               std::string(kViews) + "; methods_statvo_test counts 4 of 7 and 8 of 15"});
+               views + "; methods_statvo_test counts 4 of 7 and 8 of 15"});
     const Estimate without = evidence.compare_costs(kAllTables, kFull);
     judge.set("STATVO-059",
               {judge_within(without, 2.0, 3.2),
                "without differential tables the whole costs 2.0 to 3.2 times as much (23 / 8.86)",
-               without, kViews});
+               without, views});
     const Estimate regions = evidence.compare_costs(kFourRegions, kFull);
     judge.set("STATVO-033",
               {judge_within(regions, 1.25, 1.4),
-               "four regions / one, whole cost, between 1.25 and 1.40", regions, kViews});
+               "four regions / one, whole cost, between 1.25 and 1.40", regions, views});
 }
 
 void judge_layer_times(const Evidence& evidence, Judge& judge) {
     const auto at = [](const char* label) { return CellAddress{"layers", 0, label}; };
+    const std::string views = describe_views(evidence, "layers");
     const Estimate uniform = evidence.compare_costs(at("64 uniform"), at("1 layer"));
     judge.set("STATVO-027",
               {judge_within(uniform, 27.5, 110.0),
-               "64 uniform layers / 1 layer within a factor 2 of 55", uniform, kViews});
+               "64 uniform layers / 1 layer within a factor 2 of 55", uniform, views});
     const Estimate adaptive = evidence.compare_costs(at("64 uniform"), at("4 adaptive"));
     judge.set("STATVO-028",
               {judge_within(adaptive, 1.2, 4.8),
-               "64 uniform / 4 adaptive layers within a factor 2 of 2.39", adaptive, kViews});
+               "64 uniform / 4 adaptive layers within a factor 2 of 2.39", adaptive, views});
     // r^2 of cost against layers, repeat by repeat.
     const double counts[] = {4.0, 16.0, 32.0, 64.0};
     const char* const labels[] = {"4 uniform", "16 uniform", "32 uniform", "64 uniform"};
@@ -117,7 +118,7 @@ void judge_layer_times(const Evidence& evidence, Judge& judge) {
     const Estimate fit = estimate_across_repeats(fits);
     judge.set("STATVO-029",
               {judge_above(fit, 0.98), "cost is linear in 4, 16, 32, 64 uniform layers: r^2 > 0.98",
-               fit, kViews});
+               fit, views});
 }
 
 } // namespace
