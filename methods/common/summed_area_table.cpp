@@ -20,8 +20,13 @@ SummedAreaTable::SummedAreaTable(const gl::Functions& gl, SummedAreaFormat forma
     : texture(gl, format == SummedAreaFormat::float32 ? GL_RGBA32F : GL_RGBA32UI,
               {sample_size.width + 1, sample_size.height + 1}),
       samples(sample_size) {
-    // The scan never writes row 0 and column 0.
     const bool is_float = format == SummedAreaFormat::float32;
+    if (is_float) {
+        // Rectangles that cut through samples are read between the entries.
+        gl.TextureParameteri(texture.get(), GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        gl.TextureParameteri(texture.get(), GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    }
+    // The scan never writes row 0 and column 0.
     gl.ClearTexImage(texture.get(), 0, is_float ? GL_RGBA : GL_RGBA_INTEGER,
                      is_float ? GL_FLOAT : GL_UNSIGNED_INT, nullptr);
 }

@@ -17,17 +17,28 @@ vec4 sum_samples(SAT_SAMPLER table, ivec2 low, ivec2 high) {
     return convert_sum(top - bottom);
 }
 
+// Over a rectangle that may cut through samples, which count by their share of area: linear interpolation of the table.
+// A sampler's weights may have 8 bits: exact for halves, quarters and eighths of samples.
+vec4 sum_area(sampler2D table, vec2 low, vec2 high) {
+    vec2 entry = 1.0 / vec2(textureSize(table, 0));
+    vec2 a = (low + 0.5) * entry;
+    vec2 b = (high + 0.5) * entry;
+    vec4 top = textureLod(table, b, 0.0) - textureLod(table, vec2(a.x, b.y), 0.0);
+    vec4 bottom = textureLod(table, vec2(b.x, a.y), 0.0) - textureLod(table, a, 0.0);
+    return top - bottom;
+}
+
 // One row of the lattice between two samples' columns: from a to b, from a to the next, from b to the next.
 struct LatticeRow {
-    SAT_VALUE whole;
-    SAT_VALUE left;
-    SAT_VALUE right;
+    uvec4 whole;
+    uvec4 left;
+    uvec4 right;
 };
 
-LatticeRow read_lattice_row(SAT_SAMPLER table, ivec2 columns, ivec2 next_columns, int row) {
-    SAT_VALUE at_a = texelFetch(table, ivec2(columns.x, row), 0);
-    SAT_VALUE at_b = texelFetch(table, ivec2(columns.y, row), 0);
-    SAT_VALUE left = texelFetch(table, ivec2(next_columns.x, row), 0) - at_a;
+LatticeRow read_lattice_row(usampler2D table, ivec2 columns, ivec2 next_columns, int row) {
+    uvec4 at_a = texelFetch(table, ivec2(columns.x, row), 0);
+    uvec4 at_b = texelFetch(table, ivec2(columns.y, row), 0);
+    uvec4 left = texelFetch(table, ivec2(next_columns.x, row), 0) - at_a;
     return LatticeRow(at_b - at_a, left, texelFetch(table, ivec2(next_columns.y, row), 0) - at_b);
 }
 
@@ -36,11 +47,10 @@ vec4 sum_rows(LatticeRow upper, LatticeRow lower, float share_a, float share_b) 
     return sum + share_b * convert_sum(upper.right - lower.right) - share_a * convert_sum(upper.left - lower.left);
 }
 
-// Over a rectangle that may cut through samples, which count by their share of area: linear interpolation of the table.
-// The differences come before the weights, so that whole numbers stay exact: for each axis the sum from a to b is that of
-// whole samples from floor(a) to floor(b), plus the share of b's own sample, minus the share of a's.
-// Written out: loops over it were not unrolled by llvmpipe, which made arrays and samplers indirect and cost a factor 2.
-vec4 sum_area(SAT_SAMPLER table, vec2 low, vec2 high) {
+// The same of whole numbers, which no sampler filters. Differences come before weights, so that they stay exact: on each
+// axis the sum from a to b is that of whole samples from floor(a) to floor(b), plus the share of b's own sample, minus the
+// share of a's. Written out, because llvmpipe does not unroll a loop over it.
+vec4 sum_area(usampler2D table, vec2 low, vec2 high) {
     ivec2 a = ivec2(low);
     ivec2 b = ivec2(high);
     vec2 share_a = low - vec2(a);

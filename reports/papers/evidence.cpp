@@ -94,6 +94,22 @@ std::map<int, double> Evidence::get_frame_ms(const CellAddress& address) const {
     return series->envelope.empty() ? frame : alcove::add(frame, get_cost_ms(address));
 }
 
+std::map<int, double> Evidence::get_passes_ms(const CellAddress& address,
+                                              const std::vector<std::string>& passes) const {
+    const CellSeries* series = find_series(address);
+    ALCOVE_ASSERT(series != nullptr, "a cell with samples");
+    std::map<int, double> sum;
+    for (const std::string& pass : passes) {
+        const auto found = series->passes.find(pass);
+        if (found == series->passes.end()) {
+            throw InputError("reproduce", "no such pass of " + address.label, pass);
+        }
+        const std::map<int, double> medians = found->second.compute_repeat_medians_ms();
+        sum = sum.empty() ? medians : alcove::add(sum, medians);
+    }
+    return sum;
+}
+
 std::vector<double> Evidence::get_frame_costs_ms(const CellAddress& address) const {
     const CellSeries* series = find_series(address);
     ALCOVE_ASSERT(series != nullptr, "a cell with samples");
@@ -115,6 +131,12 @@ Estimate Evidence::compare_costs(const CellAddress& a, const CellAddress& b) con
 
 Estimate Evidence::compare_frames(const CellAddress& a, const CellAddress& b) const {
     return divide(get_frame_ms(a), get_frame_ms(b));
+}
+
+Estimate Evidence::compare_passes(const CellAddress& a, const std::vector<std::string>& passes_of_a,
+                                  const CellAddress& b,
+                                  const std::vector<std::string>& passes_of_b) const {
+    return divide(get_passes_ms(a, passes_of_a), get_passes_ms(b, passes_of_b));
 }
 
 Estimate Evidence::compare_converged(const CellAddress& a, const CellAddress& b) const {

@@ -35,12 +35,20 @@ class Evidence {
     /// base G-buffer and compose, the whole frame.
     [[nodiscard]] std::map<int, double> get_cost_ms(const CellAddress& address) const;
     [[nodiscard]] std::map<int, double> get_frame_ms(const CellAddress& address) const;
+    /// By repeat, the median over frames of some passes' sum, in milliseconds.
+    [[nodiscard]] std::map<int, double> get_passes_ms(const CellAddress& address,
+                                                      const std::vector<std::string>& passes) const;
     /// By frame, the median over repeats of passes and input.
     [[nodiscard]] std::vector<double> get_frame_costs_ms(const CellAddress& address) const;
 
     /// a / b repeat by repeat; both of one round, so that drift falls on both.
     [[nodiscard]] Estimate compare_costs(const CellAddress& a, const CellAddress& b) const;
     [[nodiscard]] Estimate compare_frames(const CellAddress& a, const CellAddress& b) const;
+    /// Of some passes alone.
+    [[nodiscard]] Estimate compare_passes(const CellAddress& a,
+                                          const std::vector<std::string>& passes_of_a,
+                                          const CellAddress& b,
+                                          const std::vector<std::string>& passes_of_b) const;
     /// Passes of converged frames over the other's passes of the same frames.
     [[nodiscard]] Estimate compare_converged(const CellAddress& a, const CellAddress& b) const;
     /// The compare functions also take cells of two rounds: by their milliseconds then, in runs one

@@ -6,7 +6,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
 cmake --build "$root/build/release" --target alcove benchmark_metrics benchmark_tracer benchmark_overhead \
-    benchmark_tssao benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
+    benchmark_tssao benchmark_statvo benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
     exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -60,6 +60,8 @@ note $?
 "$bin/benchmark_tracer"
 note $?
 "$bin/benchmark_tssao"
+note $?
+"$bin/benchmark_statvo"
 note $?
 "$bin/benchmark_dashboard" "$work/store.sqlite"
 note $?

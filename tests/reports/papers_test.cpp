@@ -114,7 +114,7 @@ TEST(Experiments, OfThePaperCanBePlanned) {
         EXPECT_FALSE(make_plan(part, units).record.rounds.empty());
         ++parts;
     }
-    EXPECT_GE(parts, 13u);
+    EXPECT_GE(parts, 23u);
 }
 
 Reproduction make_reproduction() {

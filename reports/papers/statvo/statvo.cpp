@@ -1,0 +1,40 @@
+#include "reports/papers/statvo/statvo.hpp"
+
+#include "reports/papers/claim.hpp"
+#include "reports/papers/statvo/statvo_parts.hpp"
+
+namespace alcove {
+
+std::string describe_views(const Evidence& evidence, const std::string& part, std::size_t round) {
+    const RoundRecord& record = evidence.get_round(part, round);
+    constexpr int kPublishedHeight = 720;
+    std::string text = std::to_string(record.segments.size()) + " views of " + record.scene +
+                       " at " + std::to_string(record.width) + "x" + std::to_string(record.height);
+    if (record.height < kPublishedHeight && part != "resolution") {
+        text +=
+            "; a box has fewer pixels than as published, so that downsampled tables are coarser "
+            "in it, and passes are short beside their start";
+    }
+    return text;
+}
+
+Reproduction reproduce_statvo(const Evidence& evidence, const std::string& scale) {
+    Judge judge;
+    judge_statvo_times(evidence, judge);
+    judge_statvo_rivals(evidence, judge);
+    judge_statvo_quality(evidence, judge);
+    list_statvo_untestable(judge);
+    Reproduction reproduction;
+    reproduction.paper = "STATVO";
+    reproduction.citation = "Hendrickx, Scandolo, Eisemann, Eisemann. Adaptively layered "
+                            "statistical volumetric obscurance. 2015.";
+    reproduction.scale = scale;
+    reproduction.context = evidence.context();
+    reproduction.verdicts = judge.finish(load_claims("STATVO"));
+    reproduction.tables = make_statvo_tables(evidence);
+    reproduction.figures = make_statvo_figures(evidence);
+    reproduction.errata = load_errata("STATVO");
+    return reproduction;
+}
+
+} // namespace alcove
