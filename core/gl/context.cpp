@@ -98,6 +98,8 @@ void Context::reset_state() {
     gl.DepthMask(GL_TRUE);
     gl.DepthFunc(GL_LESS);
     gl.FrontFace(GL_CCW);
+    gl.BlendEquation(GL_FUNC_ADD);
+    gl.BlendFunc(GL_ONE, GL_ZERO);
     gl.CullFace(GL_BACK);
     gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);

@@ -16,6 +16,8 @@
     X(BINDSAMPLER, BindSampler)                                                                    \
     X(BINDTEXTUREUNIT, BindTextureUnit)                                                            \
     X(BINDVERTEXARRAY, BindVertexArray)                                                            \
+    X(BLENDEQUATION, BlendEquation)                                                                \
+    X(BLENDFUNC, BlendFunc)                                                                        \
     X(CHECKNAMEDFRAMEBUFFERSTATUS, CheckNamedFramebufferStatus)                                    \
     X(CLEARNAMEDFRAMEBUFFERFV, ClearNamedFramebufferfv)                                            \
     X(CLEARNAMEDFRAMEBUFFERUIV, ClearNamedFramebufferuiv)                                          \
@@ -46,7 +48,9 @@
     X(DISABLE, Disable)                                                                            \
     X(DISPATCHCOMPUTE, DispatchCompute)                                                            \
     X(DRAWARRAYS, DrawArrays)                                                                      \
+    X(DRAWARRAYSINSTANCED, DrawArraysInstanced)                                                    \
     X(DRAWELEMENTS, DrawElements)                                                                  \
+    X(DRAWELEMENTSBASEVERTEX, DrawElementsBaseVertex)                                              \
     X(ENABLE, Enable)                                                                              \
     X(ENABLEVERTEXARRAYATTRIB, EnableVertexArrayAttrib)                                            \
     X(ENDQUERY, EndQuery)                                                                          \

@@ -6,7 +6,7 @@
 #include "harness/run/experiment.hpp"
 #include "harness/run/plan.hpp"
 #include "harness/run/scene_source.hpp"
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 #include "scenes/common/camera_file.hpp"
 
 #include <cmath>

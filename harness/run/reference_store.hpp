@@ -4,7 +4,7 @@
 
 #include "harness/run/cache.hpp"
 #include "harness/run/view_hash.hpp"
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 
 #include <filesystem>
 #include <string>

@@ -5,12 +5,17 @@
 #include "methods/common/kernel_rotation.glsl"
 layout(std140) uniform KernelBlock { vec4 kernel[param_samples]; };
 
-// The piece of a view ray that may be filled, and how much of it is: lengths in metres.
+// The piece of a view ray that may be filled, and how much of it is: volumes per area of the disc, in metres.
 struct Line {
     float possible;
     float filled;
     bool is_outlier; // the surface lies nearer than the ball
 };
+
+// Rays part with distance: a piece of eye depth from a to b stands for (b^3 - a^3) / (3 z^2) of volume per area at z.
+float measure_piece(float a, float b, float z) {
+    return (b - a) * (a * a + a * b + b * b) / (3.0 * z * z);
+}
 
 // The view ray is t * ray with eye depth t. Chord of the ball: t0 +- half. The offset from the ball's centre at t0 keeps
 // its digits far from the camera, where the textbook form b^2 - a c loses them.
@@ -32,9 +37,8 @@ Line measure_line(Receiver receiver, vec2 uv) {
         far = clamp(plane < 0.0 ? limit : near, near, far);
     }
     float surface = textureLod(eye_depth_texture, place.uv, 0.0).r;
-    float to_metres = sqrt(ray_squared);
-    float possible = (far - near) * to_metres;
-    float filled = (far - clamp(surface, near, far)) * to_metres;
+    float possible = measure_piece(near, far, receiver.depth);
+    float filled = measure_piece(clamp(surface, near, far), far, receiver.depth);
     return Line(possible, place.counts ? filled : 0.0, place.counts && surface < near);
 }
 

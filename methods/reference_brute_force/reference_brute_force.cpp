@@ -4,6 +4,7 @@
 #include "methods/common/estimator_parameters.hpp"
 #include "methods/common/parameter_block.hpp"
 #include "methods/common/shaders.hpp"
+#include "methods/common/traced_target.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,14 +21,7 @@ ParameterTable make_table() {
     return describe_parameters(
         "reference_brute_force",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r")
-                .default_expression("scene_radius")
-                .meaning("Length of the rays.")
-                .source("target"),
+            describe_target_radius(&P::radius),
             integer(&P::rays, "rays")
                 .range(1, 4096)
                 .log_scale()
@@ -55,12 +49,8 @@ ParameterTable make_table() {
                 .meaning("How deep a surface is taken to be behind what the depth buffer shows.")
                 .source(kMcGuire2014),
             describe_bias(&P::bias),
-            choice(&P::falloff, "falloff", {"none", "linear", "quadratic"})
-                .meaning("Weight of a hit at distance d: 1, 1 - d/r, 1 - (d/r)^2.")
-                .source("target"),
-            choice(&P::weighting, "weighting", {"cosine", "uniform"})
-                .meaning("Weight of a direction.")
-                .source("target"),
+            describe_target_falloff(&P::falloff),
+            describe_target_weighting(&P::weighting),
         });
 }
 
@@ -129,19 +119,7 @@ MethodUnit reference_brute_force_unit() {
     unit.parameters = make_table();
     unit.presets = {{"default", "256 rays, a pixel a step, infinite thickness", {}, 1.0, 2.0, ""}};
     unit.plane_response = 1.0;
-    unit.map_target = [](const Target& target) {
-        TargetMapping mapping;
-        const auto set = [&mapping](const char* name, std::string value) {
-            mapping.overrides.push_back({name, std::move(value), Provenance::target});
-        };
-        set("radius", to_text(ParameterValue{target.radius_m}));
-        set("falloff", std::string(to_text(target.falloff)));
-        set("weighting", std::string(to_text(target.weighting)));
-        if (target.normals != Normals::shading) {
-            mapping.reason = "geometric normals asked for, the G-buffer's shading normals used";
-        }
-        return mapping;
-    };
+    unit.map_target = map_target_on_shading_normals;
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         return std::make_unique<ReferenceBruteForce>(context.functions(), resolved);
     };

@@ -1,6 +1,7 @@
 #include "methods/reference_ray_traced/reference_ray_traced.hpp"
 
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
+#include "methods/common/traced_target.hpp"
 
 namespace alcove {
 namespace {
@@ -10,14 +11,7 @@ ParameterTable make_table() {
     return describe_parameters(
         "reference_ray_traced",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r")
-                .default_expression("scene_radius")
-                .meaning("Length of the rays.")
-                .source("target"),
+            describe_target_radius(&P::radius),
             integer(&P::rays, "rays")
                 .range(2, 16384)
                 .log_scale()
@@ -26,15 +20,9 @@ ParameterTable make_table() {
                 .meaning("Rays a pixel in all, in two independent halves; an odd number is rounded "
                          "down.")
                 .source("ours"),
-            choice(&P::falloff, "falloff", {"none", "linear", "quadratic"})
-                .meaning("Weight of a hit at distance d: 1, 1 - d/r, 1 - (d/r)^2.")
-                .source("target"),
-            choice(&P::weighting, "weighting", {"cosine", "uniform"})
-                .meaning("Weight of a direction.")
-                .source("target"),
-            choice(&P::normals, "normals", {"shading", "geometric"})
-                .meaning("Normal that spans the hemisphere.")
-                .source("target"),
+            describe_target_falloff(&P::falloff),
+            describe_target_weighting(&P::weighting),
+            describe_target_normals(&P::normals),
         });
 }
 
@@ -81,17 +69,7 @@ MethodUnit reference_ray_traced_unit() {
     unit.parameters = make_table();
     unit.presets = {{"default", "64 rays in each of two halves", {}, 1.0, 2.0, ""}};
     unit.plane_response = 1.0;
-    unit.map_target = [](const Target& target) {
-        TargetMapping mapping;
-        const auto set = [&mapping](const char* name, std::string value) {
-            mapping.overrides.push_back({name, std::move(value), Provenance::target});
-        };
-        set("radius", to_text(ParameterValue{target.radius_m}));
-        set("falloff", std::string(to_text(target.falloff)));
-        set("weighting", std::string(to_text(target.weighting)));
-        set("normals", std::string(to_text(target.normals)));
-        return mapping;
-    };
+    unit.map_target = map_whole_target;
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         return std::make_unique<ReferenceRayTraced>(context.functions(), resolved);
     };

@@ -1,6 +1,6 @@
 #include "tests/benchmark/recorded_bundles.hpp"
 
-#include "methods/reference_ray_traced/sobol.hpp"
+#include "methods/common/sobol.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 // Rays/s of the reference against a bare loop of rtcOccluded16 over the same bundles: at least
 // half. Cathedral, 384x288, radius, rays and target of the default suite.
 
-#include "methods/reference_ray_traced/ray_tracer.hpp"
-#include "methods/reference_ray_traced/sobol.hpp"
+#include "methods/common/ray_tracer.hpp"
+#include "methods/common/sobol.hpp"
 #include "scenes/cathedral/cathedral.hpp"
 #include "tests/benchmark/ratio.hpp"
 #include "tests/benchmark/recorded_bundles.hpp"

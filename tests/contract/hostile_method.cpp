@@ -17,6 +17,8 @@ class HostileMethod final : public Method {
         m_gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.get());
         m_gl.Viewport(3, 5, 7, 11);
         m_gl.Enable(GL_BLEND);
+        m_gl.BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+        m_gl.BlendFunc(GL_ZERO, GL_ZERO);
         m_gl.Enable(GL_DEPTH_TEST);
         m_gl.Enable(GL_CULL_FACE);
         m_gl.Enable(GL_SCISSOR_TEST);

@@ -1,6 +1,7 @@
 #include "tests/methods/hemisphere_ssao_oracle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -78,12 +79,9 @@ class Evaluator {
         const double b = n.x * n.y * a;
         const glm::dvec3 t0(1.0 + s * n.x * n.x * a, s * b, -s * n.x);
         const glm::dvec3 b0(b, s + n.y * n.y * a, -n.y);
-        const double angle =
-            m_params.rotation
-                ? 2.0 * std::numbers::pi *
-                      compute_oracle_noise(static_cast<std::uint32_t>(x),
-                                           static_cast<std::uint32_t>(y), m_noise_seed)
-                : 0.0;
+        const double angle = 2.0 * std::numbers::pi *
+                             compute_oracle_turn(m_params.rotation, static_cast<std::uint32_t>(x),
+                                                 static_cast<std::uint32_t>(y), m_noise_seed);
         const glm::dvec3 tangent = std::cos(angle) * t0 + std::sin(angle) * b0;
         const glm::dvec3 bitangent = std::cos(angle) * b0 - std::sin(angle) * t0;
         const double bias = m_params.bias * 0.5 *
@@ -162,6 +160,22 @@ class Evaluator {
 
 double compute_oracle_noise(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
     return static_cast<double>(hash_pcg(x + hash_pcg(y + hash_pcg(seed))) >> 8) * 0x1p-24;
+}
+
+double compute_oracle_turn(KernelRotation rotation, std::uint32_t x, std::uint32_t y,
+                           std::uint32_t seed) {
+    // Row by row from the bottom: the ordered tile of 4x4 whose neighbours differ most.
+    constexpr std::array<std::uint32_t, 16> kTile{0, 8,  2, 10, 12, 4, 14, 6,
+                                                  3, 11, 1, 9,  15, 7, 13, 5};
+    switch (rotation) {
+    case KernelRotation::off:
+        return 0.0;
+    case KernelRotation::tile:
+        return (kTile[(y % 4) * 4 + x % 4] ^ (hash_pcg(seed) % 16)) / 16.0;
+    case KernelRotation::pixel:
+        break;
+    }
+    return compute_oracle_noise(x, y, seed);
 }
 
 std::vector<OraclePixel> evaluate_oracle(const Image& depth, const Image& normal,

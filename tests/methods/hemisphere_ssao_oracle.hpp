@@ -25,6 +25,10 @@ struct OraclePixel {
 /// pcg (Jarzynski, Olano 2020) of a pixel counted from the bottom left, in [0,1).
 [[nodiscard]] double compute_oracle_noise(std::uint32_t x, std::uint32_t y, std::uint32_t seed);
 
+/// Share of a full turn of a kernel at a pixel counted from the bottom left.
+[[nodiscard]] double compute_oracle_turn(KernelRotation rotation, std::uint32_t x, std::uint32_t y,
+                                         std::uint32_t seed);
+
 /// One pixel after the other, row 0 on top. `depth` and `normal` hold what the textures hold.
 [[nodiscard]] std::vector<OraclePixel> evaluate_oracle(const Image& depth, const Image& normal,
                                                        const Camera& camera,

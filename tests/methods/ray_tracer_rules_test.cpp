@@ -1,5 +1,5 @@
 // What the reference promises beside its accuracy: equal bits, what blocks a ray, where rays start.
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 
 #include "tests/test_scenes.hpp"
 

@@ -1,5 +1,5 @@
 // The reference as a method among methods: what it maps, and that its image is the tracer's.
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 #include "methods/reference_ray_traced/reference_ray_traced.hpp"
 #include "tests/core/gl/test_context.hpp"
 #include "tests/test_scenes.hpp"

@@ -1,7 +1,7 @@
 // The reference against occlusion that is known: means within three standard errors, errors that
 // fall as they should, and a noise estimate that is one. Standard errors come from independent
 // randomisations (seeds), never from the scatter of a low-discrepancy set.
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 
 #include "core/base/statistics.hpp"
 #include "tests/methods/analytic_occlusion.hpp"

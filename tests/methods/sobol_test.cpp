@@ -1,5 +1,5 @@
 // The points that the reference's rays are distributed by.
-#include "methods/reference_ray_traced/sobol.hpp"
+#include "methods/common/sobol.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "methods/reference_ray_traced/traced_scene.hpp"
+#include "methods/common/traced_scene.hpp"
 
 #include "tests/test_scenes.hpp"
 

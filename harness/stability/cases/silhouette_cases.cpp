@@ -2,7 +2,7 @@
 #include "harness/stability/image_checks.hpp"
 #include "harness/stability/scene_rig.hpp"
 #include "harness/stability/stability_cases.hpp"
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 #include "scenes/hard_cases/bars.hpp"
 #include "scenes/hard_cases/foreground.hpp"
 

@@ -2,7 +2,7 @@
 #include "core/base/error.hpp"
 #include "core/frame/gbuffer_part.hpp"
 #include "core/frame/scene_renderer.hpp"
-#include "methods/reference_ray_traced/traced_scene.hpp"
+#include "methods/common/traced_scene.hpp"
 #include "scenes/registry.hpp"
 #include "tests/core/gl/test_context.hpp"
 #include "tests/test_scenes.hpp"

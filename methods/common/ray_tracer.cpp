@@ -1,12 +1,13 @@
-#include "methods/reference_ray_traced/ray_tracer.hpp"
+#include "methods/common/ray_tracer.hpp"
 
 #include "core/base/error.hpp"
-#include "methods/reference_ray_traced/sobol.hpp"
-#include "methods/reference_ray_traced/traced_scene.hpp"
+#include "methods/common/sobol.hpp"
+#include "methods/common/traced_scene.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -105,6 +106,22 @@ glm::vec3 lift_off_terminator(const glm::vec3& point, const std::array<glm::vec3
     return lifted;
 }
 
+/// `work` on this thread and on others; 0: as many as there are cores.
+void run_on_threads(int threads, const std::function<void()>& work) {
+    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+    const unsigned count = threads > 0 ? static_cast<unsigned>(threads) : cores;
+    std::vector<std::jthread> others;
+    for (unsigned i = 1; i < count; ++i) {
+        others.emplace_back(work);
+    }
+    work();
+}
+
+/// 32 units in the last place of the largest number that took part in placing a point.
+float compute_lift(const glm::vec3& point, float farthest) {
+    return 0x1p-18f * std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), farthest});
+}
+
 } // namespace
 
 struct RayTracer::State {
@@ -165,10 +182,7 @@ bool RayTracer::State::find_receiver(const glm::vec3& eye, const glm::vec3& dire
         }
         point = lift_off_terminator(point, corners, normals, barycentric);
     }
-    // 32 units in the last place of the largest number that took part in placing the point.
-    const float magnitude =
-        std::max({std::abs(point.x), std::abs(point.y), std::abs(point.z), query.ray.tfar});
-    receiver.origin = point + geometric * (magnitude * 0x1p-18f);
+    receiver.origin = point + geometric * compute_lift(point, query.ray.tfar);
     return true;
 }
 
@@ -274,16 +288,35 @@ ReferencePair RayTracer::trace(const Camera& camera, ImageSize size,
         }
         receivers += found;
     };
-    const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
-    const unsigned count = settings.threads > 0 ? static_cast<unsigned>(settings.threads) : cores;
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < count; ++i) {
-        threads.emplace_back(work);
-    }
-    work();
-    threads.clear();
+    run_on_threads(settings.threads, work);
     pair.ray_count = receivers * 2 * static_cast<std::uint64_t>(settings.rays_per_half);
     return pair;
+}
+
+std::vector<float> RayTracer::trace_points(std::span<const SurfacePoint> points,
+                                           const TraceSettings& settings) const {
+    const State& state = *m_state;
+    ALCOVE_ASSERT(state.scene.is_built(), "update before trace");
+    ALCOVE_ASSERT(settings.rays_per_half >= 1 && settings.target.radius_m > 0.0, "trace settings");
+    constexpr std::size_t kBatch = 256;
+    std::vector<float> visibility(points.size(), 1.0f);
+    const SobolBundles sobol(static_cast<unsigned>(settings.rays_per_half));
+    std::atomic<std::size_t> next{0};
+    run_on_threads(settings.threads, [&] {
+        for (std::size_t first = next.fetch_add(kBatch); first < points.size();
+             first = next.fetch_add(kBatch)) {
+            for (std::size_t i = first; i < std::min(first + kBatch, points.size()); ++i) {
+                const glm::vec3& position = points[i].position;
+                const Receiver receiver{position + points[i].normal * compute_lift(position, 0.0f),
+                                        points[i].normal};
+                const std::uint32_t seed = hash_words(settings.seed, static_cast<std::uint32_t>(i));
+                visibility[i] =
+                    0.5f * (state.trace_half(receiver, hash_words(seed, 0xau), sobol, settings) +
+                            state.trace_half(receiver, hash_words(seed, 0xbu), sobol, settings));
+            }
+        }
+    });
+    return visibility;
 }
 
 Image compute_mean(const ReferencePair& pair) {

@@ -8,6 +8,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <vector>
+
+#include <glm/vec3.hpp>
 
 namespace alcove {
 
@@ -26,6 +30,12 @@ struct ReferencePair {
     Image a;
     Image b;
     std::uint64_t ray_count = 0; ///< occlusion rays cast
+};
+
+/// A place on a surface, relative to the geometry's origin.
+struct SurfacePoint {
+    glm::vec3 position;
+    glm::vec3 normal; ///< unit, to the side that is asked about
 };
 
 /// Mean of the halves.
@@ -49,6 +59,11 @@ class RayTracer {
     /// update was called.
     [[nodiscard]] ReferencePair trace(const Camera& camera, ImageSize size,
                                       const TraceSettings& settings) const;
+
+    /// Mean visibility of each point over both halves' rays; positions are used as they are, lifted
+    /// by 32 units in the last place of the largest coordinate. Asserts that update was called.
+    [[nodiscard]] std::vector<float> trace_points(std::span<const SurfacePoint> points,
+                                                  const TraceSettings& settings) const;
 
   private:
     struct State;

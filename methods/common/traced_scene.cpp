@@ -1,4 +1,4 @@
-#include "methods/reference_ray_traced/traced_scene.hpp"
+#include "methods/common/traced_scene.hpp"
 
 #include "core/base/assert.hpp"
 #include "core/base/error.hpp"

@@ -1,4 +1,4 @@
-#include "methods/reference_ray_traced/sobol.hpp"
+#include "methods/common/sobol.hpp"
 
 namespace alcove {
 namespace {
