@@ -32,8 +32,7 @@ namespace fs = std::filesystem;
 /// What a paper's images are larger by than those of `--scale small`.
 constexpr int kFullScale = 4;
 
-constexpr std::array<std::string_view, 5> kPlanned{"statvo", "shanmugam_arikan", "artifacts",
-                                                   "ssdo", "all"};
+constexpr std::array<std::string_view, 4> kPlanned{"statvo", "shanmugam_arikan", "ssdo", "all"};
 
 struct ReproduceFlags {
     std::string paper;

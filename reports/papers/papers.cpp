@@ -1,5 +1,6 @@
 #include "reports/papers/papers.hpp"
 
+#include "reports/papers/artifacts/artifacts.hpp"
 #include "reports/papers/tssao/tssao.hpp"
 
 #include <array>
@@ -9,6 +10,7 @@ namespace alcove {
 std::span<const Paper> list_papers() {
     static constexpr std::array kPapers{
         Paper{"tssao", reproduce_tssao},
+        Paper{"artifacts", reproduce_artifacts},
     };
     return kPapers;
 }
