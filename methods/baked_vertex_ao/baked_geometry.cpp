@@ -1,5 +1,7 @@
 #include "methods/baked_vertex_ao/baked_geometry.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include <glm/geometric.hpp>
@@ -9,24 +11,33 @@
 namespace alcove {
 namespace {
 
-/// Mean of the centres of the triangles around each vertex; the vertex itself where there are none.
-std::vector<glm::vec3> compute_surrounding_centers(std::span<const glm::vec3> positions,
-                                                   std::span<const std::uint32_t> indices) {
-    std::vector<glm::vec3> sums(positions.size(), glm::vec3(0.0f));
-    std::vector<int> counts(positions.size(), 0);
+/// The largest triangle at a vertex: what its rays start on.
+struct Facet {
+    glm::vec3 center;
+    glm::vec3 area_normal{0.0f}; ///< twice its area long; 0: the vertex has no triangle
+};
+
+std::vector<Facet> find_facets(std::span<const glm::vec3> positions,
+                               std::span<const std::uint32_t> indices) {
+    std::vector<Facet> facets(positions.size());
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        const glm::vec3 center =
-            (positions[indices[i]] + positions[indices[i + 1]] + positions[indices[i + 2]]) / 3.0f;
+        const glm::vec3& a = positions[indices[i]];
+        const glm::vec3& b = positions[indices[i + 1]];
+        const glm::vec3& c = positions[indices[i + 2]];
+        const Facet facet{(a + b + c) / 3.0f, glm::cross(b - a, c - a)};
         for (std::size_t corner = i; corner < i + 3; ++corner) {
-            sums[indices[corner]] += center;
-            ++counts[indices[corner]];
+            Facet& known = facets[indices[corner]];
+            if (glm::dot(facet.area_normal, facet.area_normal) >
+                glm::dot(known.area_normal, known.area_normal)) {
+                known = facet;
+            }
         }
     }
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        sums[i] = counts[i] == 0 ? positions[i] : sums[i] / static_cast<float>(counts[i]);
-    }
-    return sums;
+    return facets;
 }
+
+/// Above the facet by what floats of this size are off by, as rays of the reference start.
+constexpr float kLift = 0x1p-18f;
 
 constexpr GLuint kPositionBinding = 0;
 constexpr GLuint kVisibilityBinding = 1;
@@ -38,14 +49,23 @@ std::vector<SurfacePoint> list_vertex_points(const PosedGeometry& geometry, doub
     for (const PosedObject& object : geometry.objects) {
         const std::span<const glm::vec3> positions = object.positions();
         const std::span<const glm::vec3> normals = object.normals();
-        const std::vector<glm::vec3> centers =
-            compute_surrounding_centers(positions, object.mesh->indices);
+        const std::vector<Facet> facets = find_facets(positions, object.mesh->indices);
         const glm::mat3 linear(object.origin_from_object);
         const glm::mat3 normal_matrix = glm::transpose(glm::inverse(linear));
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            const glm::vec3 moved = glm::mix(positions[i], centers[i], static_cast<float>(inset));
-            points.push_back({glm::vec3(object.origin_from_object * glm::vec4(moved, 1.0f)),
-                              glm::normalize(normal_matrix * normals[i])});
+            const glm::vec3 normal = glm::normalize(normal_matrix * normals[i]);
+            if (facets[i].area_normal == glm::vec3(0.0f)) {
+                points.push_back(
+                    {glm::vec3(object.origin_from_object * glm::vec4(positions[i], 1.0f)), normal});
+                continue;
+            }
+            const glm::vec3 moved =
+                glm::mix(positions[i], facets[i].center, static_cast<float>(inset));
+            glm::vec3 place(object.origin_from_object * glm::vec4(moved, 1.0f));
+            const glm::vec3 facing = glm::normalize(normal_matrix * facets[i].area_normal);
+            const float size = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+            place += facing * (glm::dot(facing, normal) < 0.0f ? -kLift : kLift) * size;
+            points.push_back({place, normal});
         }
     }
     return points;

@@ -11,9 +11,10 @@
 
 namespace alcove {
 
-/// Where a ray-traced vertex lies: itself, moved by `inset` of the way to the mean of the centres
-/// of the triangles around it, so that one in a crease does not lie in the neighbour's plane.
-/// Relative to the geometry's origin, object after object; vertices without triangles stay.
+/// Where the rays of each vertex start: on its largest triangle, `inset` of the way from the vertex
+/// to the triangle's centre, so that one in a crease does not lie in the neighbour's plane; around
+/// its shading normal. Relative to the geometry's origin, object after object; vertices without
+/// triangles stay.
 [[nodiscard]] std::vector<SurfacePoint> list_vertex_points(const PosedGeometry& geometry,
                                                            double inset);
 

@@ -31,8 +31,8 @@ ParameterTable make_table() {
                                    real(&P::inset, "inset")
                                        .range(0.0, 0.5)
                                        .unit("1")
-                                       .meaning("Share of the way from a vertex to the middle of "
-                                                "its triangles where its rays start.")
+                                       .meaning("Share of the way from a vertex to the centre of "
+                                                "its largest triangle where its rays start.")
                                        .source("ours"),
                                    describe_strength(&P::strength),
                                });

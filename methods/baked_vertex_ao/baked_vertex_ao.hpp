@@ -12,7 +12,7 @@ struct BakedVertexAoParams {
     int rays = 64;       ///< a vertex, in two halves
     Falloff falloff = Falloff::linear;
     Weighting weighting = Weighting::cosine;
-    double inset = 0.02;   ///< share of the way to the middle of the vertex's triangles
+    double inset = 0.02;   ///< share of the way to the centre of the vertex's largest triangle
     double strength = 1.0; ///< factor on occlusion
 };
 
