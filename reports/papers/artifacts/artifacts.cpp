@@ -175,7 +175,7 @@ PaperFigure make_pair(const Evidence& evidence, const CellAddress& on, const Cel
                       const char* picture, const std::string& title, const std::string& note) {
     PaperFigure figure{title, note, {}};
     for (const CellAddress& cell : {on, off}) {
-        const int frame = evidence.get_round(cell.part, cell.round).image_frames.front();
+        const int frame = evidence.get_round(cell.part, cell.round).image_frames.back();
         figure.pictures.push_back(make_cell_picture(evidence, cell, frame, picture, cell.label));
     }
     return figure;
