@@ -6,6 +6,7 @@
 #include "reports/papers/estimates.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include <fmt/core.h>
 
@@ -90,8 +91,19 @@ void judge_rotation(const Evidence& evidence, const std::vector<Artifact>& artif
     const CellAddress fixed{"rotations", 0, "fixed frame"};
     const std::string on = "a kernel of 7 in a corner whose floor leans 80 degrees from the view; "
                            "chi square of the angles by tilt: table";
-    judge.set("BLOG-011", compare_metrics(evidence, fixed, clumped,
-                                          "band_profile:measure=profile_error", kCold, on));
+    // Chance leaves 15 +- sqrt(30).
+    const Estimate leaning = make_single(measure_angle_chi_square(std::numbers::pi * 80.0 / 180.0));
+    const Estimate facing = make_single(measure_angle_chi_square(0.0));
+    judge.set(
+        "BLOG-011",
+        combine_findings(
+            {compare_metrics(evidence, fixed, clumped, "band_profile:measure=profile_error", kCold,
+                             on),
+             {judge_above(leaning, 42.0), "chi square at 80 degrees above 42", leaning, "computed"},
+             {judge_below(facing, 1.0), "chi square of a facing normal below 1", facing,
+              "computed"}},
+            "angles about a leaning normal clump, about a facing one do not, and the image's "
+            "profile is nearer to the limit with a fixed frame"));
     judge.set("BLOG-013", compare_metrics(evidence, fixed, clumped, kRipple, kCold, on));
 }
 

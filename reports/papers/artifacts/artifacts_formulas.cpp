@@ -100,23 +100,6 @@ double measure_gaps(double tilt) {
     return largest / smallest;
 }
 
-/// Of 4096 vectors in 16 bins, 15 degrees of freedom.
-double measure_chi_square(double tilt) {
-    constexpr int kVectors = 4096;
-    std::array<double, 16> counts{};
-    constexpr double kExpected = kVectors / 16.0;
-    for (const double angle : list_angles(kVectors, tilt)) {
-        // A vector on the border between two bins belongs to the upper one.
-        const double bin = angle / (2.0 * std::numbers::pi) * 16.0 + 1e-9;
-        ++counts.at(static_cast<std::size_t>(bin) % 16);
-    }
-    double chi_square = 0.0;
-    for (const double count : counts) {
-        chi_square += (count - kExpected) * (count - kExpected) / kExpected;
-    }
-    return chi_square;
-}
-
 double to_radians(int degrees) {
     return degrees * std::numbers::pi / 180.0;
 }
@@ -172,6 +155,22 @@ void judge_artifact_formulas(const Evidence& evidence, Judge& judge) {
                            make_single(measure_gaps(0.0)), "computed"});
 }
 
+double measure_angle_chi_square(double tilt) {
+    constexpr int kVectors = 4096;
+    std::array<double, 16> counts{};
+    constexpr double kExpected = kVectors / 16.0;
+    for (const double angle : list_angles(kVectors, tilt)) {
+        // A vector on the border between two bins belongs to the upper one.
+        const double bin = angle / (2.0 * std::numbers::pi) * 16.0 + 1e-9;
+        ++counts.at(static_cast<std::size_t>(bin) % 16);
+    }
+    double chi_square = 0.0;
+    for (const double count : counts) {
+        chi_square += (count - kExpected) * (count - kExpected) / kExpected;
+    }
+    return chi_square;
+}
+
 PaperTable make_angles_table() {
     PaperTable table{"angles",
                      "4.4: how Gram-Schmidt spreads evenly spaced vectors about a tilted normal",
@@ -180,9 +179,9 @@ PaperTable make_angles_table() {
                       "4096 vectors in 16 bins: chi square (15 degrees of freedom)"},
                      {}};
     for (const int degrees : {0, 30, 45, 60, 75, 80}) {
-        table.rows.push_back({std::to_string(degrees),
-                              fmt::format("{:.3g}", measure_gaps(to_radians(degrees))),
-                              fmt::format("{:.4g}", measure_chi_square(to_radians(degrees)))});
+        table.rows.push_back(
+            {std::to_string(degrees), fmt::format("{:.3g}", measure_gaps(to_radians(degrees))),
+             fmt::format("{:.4g}", measure_angle_chi_square(to_radians(degrees)))});
     }
     return table;
 }

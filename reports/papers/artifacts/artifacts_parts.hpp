@@ -27,6 +27,9 @@ struct Artifact {
 
 /// What follows from the published numbers that cells ran with: indices, angles, shares.
 void judge_artifact_formulas(const Evidence& evidence, Judge& judge);
+/// Chi square, 15 degrees of freedom, of the angles to which Gram-Schmidt turns 4096 evenly spaced
+/// vectors about a normal that leans `tilt` radians from the view, in 16 bins.
+[[nodiscard]] double measure_angle_chi_square(double tilt);
 [[nodiscard]] PaperTable make_angles_table();
 [[nodiscard]] PaperTable make_indices_table(const Evidence& evidence);
 
