@@ -126,6 +126,12 @@ struct TargetMapping {
     std::string reason; ///< empty if the whole target is mapped
 };
 
+/// What a method's cost is told by beside its pixels.
+struct SampleCount {
+    std::string pass;       ///< the one that takes them, "hemisphere_ssao/occlusion"
+    double per_pixel = 0.0; ///< of the full-resolution image
+};
+
 struct MethodUnit {
     std::string name;
     std::string title;
@@ -149,6 +155,9 @@ struct MethodUnit {
     std::function<int(const ResolvedParameters&)> warm_frames = [](const ResolvedParameters&) {
         return 0;
     };
+    /// Nothing where there are no samples or their number is not known beforehand.
+    std::function<std::optional<SampleCount>(const ResolvedParameters&)> count_samples =
+        [](const ResolvedParameters&) { return std::nullopt; };
     std::function<std::unique_ptr<Method>(gl::Context&, const ResolvedParameters&)> create;
 
     /// Throws InputError with the nearest name.

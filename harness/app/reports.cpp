@@ -1,6 +1,7 @@
 #include "harness/app/reports.hpp"
 
 #include "reports/csv/explanation_csv.hpp"
+#include "reports/csv/passes_csv.hpp"
 #include "reports/csv/strata_csv.hpp"
 #include "reports/csv/summary_csv.hpp"
 #include "reports/csv/target_csv.hpp"
@@ -23,6 +24,7 @@ void write_reports(const RunFolder& run, bool in_progress, std::vector<Provision
                    const std::filesystem::path& out) {
     const RunAnalysis analysis = analyze_run(run);
     write_summary_csv(run, analysis);
+    write_passes_csv(run, analysis);
     write_tradeoff_csv(run, analysis);
     write_target_csv(run, analysis);
     write_explanation_csv(run, analysis);

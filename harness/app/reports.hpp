@@ -8,7 +8,7 @@
 
 namespace alcove {
 
-/// Rewrites the page and, for finished rounds, summary.csv and tradeoff.csv. `out` empty:
+/// Rewrites the page and, for finished rounds, its tables. `out` empty:
 /// <run>/report.
 void write_reports(const RunFolder& run, bool in_progress, std::vector<ProvisionalRow> provisional,
                    const std::filesystem::path& out = {});

@@ -278,6 +278,15 @@ std::vector<SceneChoice> choose_scenes(const Experiment& experiment, const Units
     return scenes;
 }
 
+/// What follows from a cell's parameters.
+void derive_from_parameters(const MethodUnit& unit, const ResolvedParameters& resolved,
+                            CellRecord& cell) {
+    cell.warm_frames = unit.warm_frames(resolved);
+    const SampleCount samples = unit.count_samples(resolved).value_or(SampleCount{});
+    cell.sampling_pass = samples.pass;
+    cell.samples_per_pixel = samples.per_pixel;
+}
+
 } // namespace
 
 MadePlan make_plan(const Experiment& experiment, const Units& units) {
@@ -363,7 +372,7 @@ CellRecord make_cell_record(const MethodUnit& unit, const MethodSpec& spec, cons
     cell.target = describe(target);
     cell.target_note = mapping.reason;
     const ResolvedParameters resolved = unit.parameters.resolve(overrides, variables);
-    cell.warm_frames = unit.warm_frames(resolved);
+    derive_from_parameters(unit, resolved, cell);
     for (const ResolvedParameter& parameter : resolved.values()) {
         const ParameterInfo& info = unit.parameters.find(parameter.name);
         cell.parameters.push_back({parameter.name, to_text(parameter.value), info.unit, info.symbol,
@@ -382,7 +391,7 @@ CellRecord override_cell(const MethodUnit& unit, CellRecord cell,
         parameter->value = value.value;
         parameter->provenance = to_text(value.provenance);
     }
-    cell.warm_frames = unit.warm_frames(read_parameters(unit, cell));
+    derive_from_parameters(unit, read_parameters(unit, cell), cell);
     return cell;
 }
 

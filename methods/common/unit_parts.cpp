@@ -28,6 +28,11 @@ TargetMapping map_radius(const Target& target, const EstimatorResponse& response
     return mapping;
 }
 
+SampleCount count_estimator_samples(const std::string& method, int samples,
+                                    bool is_half_resolution) {
+    return {method + "/occlusion", (is_half_resolution ? 0.25 : 1.0) * samples};
+}
+
 TargetMapping map_linear_cosine_target(const Target& target) {
     return map_radius(target, {"linear", "cosine"});
 }

@@ -25,6 +25,11 @@ struct EstimatorResponse {
 /// maps the radius, and says what of the rest the estimator is not.
 [[nodiscard]] TargetMapping map_radius(const Target& target, const EstimatorResponse& response);
 
+/// count_samples of a method on EstimatorMethod: its occlusion pass takes `samples` at every pixel,
+/// or at every fourth.
+[[nodiscard]] SampleCount count_estimator_samples(const std::string& method, int samples,
+                                                  bool is_half_resolution);
+
 /// Step lengths that are uniform give linear falloff.
 [[nodiscard]] TargetMapping map_linear_cosine_target(const Target& target);
 

@@ -30,6 +30,11 @@ MethodUnit crytek_ssao_unit() {
     unit.plane_response = 1.0;
     unit.converged_preset = "converged";
     unit.map_target = map_target;
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_crytek_table().bind<CrytekSsaoParams>(resolved);
+        return count_estimator_samples("crytek_ssao", params.samples,
+                                       params.resolution == EstimatorResolution::half);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_crytek_table().bind<CrytekSsaoParams>(resolved);
         EstimatorRecipe recipe;

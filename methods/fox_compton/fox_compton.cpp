@@ -59,6 +59,11 @@ MethodUnit fox_compton_unit() {
         return map_radius(target, {.falloff = "linear in the distance to twice the radius",
                                    .weighting = "cosine"});
     };
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<FoxComptonParams>(resolved);
+        return count_estimator_samples("fox_compton", params.samples,
+                                       params.resolution == EstimatorResolution::half);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<FoxComptonParams>(resolved);
         EstimatorRecipe recipe;

@@ -88,6 +88,11 @@ MethodUnit hbao_unit() {
         }
         return mapping;
     };
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<HbaoParams>(resolved);
+        return count_estimator_samples("hbao", params.directions * params.steps,
+                                       params.resolution == EstimatorResolution::half);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<HbaoParams>(resolved);
         EstimatorRecipe recipe;

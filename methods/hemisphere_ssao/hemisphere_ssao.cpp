@@ -79,6 +79,10 @@ MethodUnit hemisphere_ssao_unit() {
     unit.plane_response = 1.0;
     unit.converged_preset = "converged";
     unit.map_target = map_linear_cosine_target;
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<HemisphereSsaoParams>(resolved);
+        return count_estimator_samples("hemisphere_ssao", params.samples, false);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<HemisphereSsaoParams>(resolved);
         EstimatorRecipe recipe;

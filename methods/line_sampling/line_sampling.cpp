@@ -75,6 +75,11 @@ MethodUnit line_sampling_unit() {
         return map_radius(target, {.falloff = "none, but a share of volume",
                                    .weighting = "the same for every part of the volume"});
     };
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<LineSamplingParams>(resolved);
+        return count_estimator_samples("line_sampling", params.samples,
+                                       params.resolution == EstimatorResolution::half);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<LineSamplingParams>(resolved);
         EstimatorRecipe recipe;

@@ -138,6 +138,11 @@ MethodUnit sao_unit() {
         return map_radius(target, {.falloff = "(1 - (d/r)^2)^3 of a height over a squared distance",
                                    .weighting = "uniform over the disc on the screen"});
     };
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<SaoParams>(resolved);
+        return count_estimator_samples("sao", params.samples,
+                                       params.resolution == EstimatorResolution::half);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<SaoParams>(resolved);
         EstimatorRecipe recipe;

@@ -65,6 +65,10 @@ MethodUnit volumetric_obscurance_unit() {
         return map_radius(target, {.falloff = "none, but a share of volume",
                                    .weighting = "the same for every part of the volume"});
     };
+    unit.count_samples = [](const ResolvedParameters& resolved) {
+        const auto params = make_table().bind<VolumetricObscuranceParams>(resolved);
+        return count_estimator_samples("volumetric_obscurance", params.samples, false);
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<VolumetricObscuranceParams>(resolved);
         EstimatorRecipe recipe;

@@ -12,7 +12,8 @@
 namespace alcove {
 namespace {
 
-std::vector<PassAnalysis> analyze_passes(const CellSeries& series, double tick_ns) {
+std::vector<PassAnalysis> analyze_passes(const CellRecord& cell, const CellSeries& series,
+                                         double tick_ns, double pixels) {
     std::vector<PassAnalysis> passes;
     for (const std::string& name : series.pass_order) {
         PassAnalysis pass;
@@ -20,6 +21,12 @@ std::vector<PassAnalysis> analyze_passes(const CellSeries& series, double tick_n
         pass.time_ms = *estimate_time_ms(series.passes.at(name));
         pass.is_input = is_input_pass(name);
         pass.is_cached = series.cached.at(name);
+        if (!pass.is_input) {
+            pass.ns_per_pixel = pass.time_ms.value * 1e6 / pixels;
+            if (name == cell.sampling_pass) {
+                pass.ns_per_sample = *pass.ns_per_pixel / cell.samples_per_pixel;
+            }
+        }
         pass.is_under_resolution =
             !pass.is_input && pass.time_ms.value * 1e6 < kResolvedTicks * tick_ns;
         passes.push_back(std::move(pass));
@@ -104,7 +111,7 @@ std::vector<double> list_repeat_logs(CellRole role, const Series& envelope, cons
 }
 
 CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, const Series& base,
-                          const Series& anchor, double tick_ns) {
+                          const Series& anchor, double tick_ns, double pixels) {
     CellAnalysis cell;
     cell.cell = record;
     cell.time_ms = estimate_time_ms(series.envelope);
@@ -119,7 +126,7 @@ CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, co
     cell.total_ms = estimate_total(series, base, record.has_passes);
     cell.has_cached_input = std::any_of(series.cached.begin(), series.cached.end(),
                                         [](const auto& entry) { return entry.second; });
-    cell.passes = analyze_passes(series, tick_ns);
+    cell.passes = analyze_passes(record, series, tick_ns, pixels);
     cell.coverage = estimate_repeats(divide_repeats(series.divided, series.envelope));
     analyze_frames(cell, series.envelope);
     const std::vector<double> logs = list_repeat_logs(record.role, series.envelope, anchor);
@@ -144,8 +151,9 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
     };
     const Series anchor = find_role(CellRole::anchor);
     for (const CellRecord& cell : round.cells) {
-        result.cells.push_back(
-            analyze_cell(cell, series[cell.id], base, anchor, run.context().timer_tick_ns));
+        result.cells.push_back(analyze_cell(cell, series[cell.id], base, anchor,
+                                            run.context().timer_tick_ns,
+                                            static_cast<double>(round.width) * round.height));
     }
     result.base_ms = estimate_time_ms(base);
     result.aa_ratio = estimate_ratio(find_role(CellRole::anchor_repeat), anchor);

@@ -81,6 +81,11 @@ std::string make_error_table(const RoundAnalysis& round) {
            rows + "</tbody></table></div>\n";
 }
 
+std::string make_nanoseconds(const std::optional<double>& value) {
+    return value ? fmt::format("<td data-value=\"{}\">{}</td>", *value, format_rounded(*value, 3))
+                 : std::string("<td></td>");
+}
+
 std::string make_pass_rows(const CellAnalysis& cell, std::size_t index) {
     double sum_ms = 0.0;
     for (const PassAnalysis& pass : cell.passes) {
@@ -104,10 +109,11 @@ std::string make_pass_rows(const CellAnalysis& cell, std::size_t index) {
                                         get_series_class(cell, index),
                                         100.0 * std::clamp(share, 0.0, 1.0), 100.0 * share);
         text += fmt::format(
-            "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"text\">{} {}</td>{}<td "
+            "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"text\">{} {}</td>{}{}{}<td "
             "class=\"share\">{}</td>",
             make_label(cell, index), escape_html(pass.pass), marks,
-            make_estimate_cell(pass.time_ms), bar);
+            make_estimate_cell(pass.time_ms), make_nanoseconds(pass.ns_per_pixel),
+            make_nanoseconds(pass.ns_per_sample), bar);
         text += &pass == &cell.passes.back() ? make_estimate_cell(cell.coverage) : "<td></td>";
         text += "</tr>\n";
     }
@@ -124,10 +130,14 @@ std::string make_pass_table(const RunAnalysis& analysis, const RoundAnalysis& ro
         "Coverage is "
         "their sum over the undivided envelope: far from 1, trust the envelope. Input cost is the "
         "G-buffer "
-        "with what the method declares minus the base G-buffer and may be negative.</p>\n"
+        "with what the method declares minus the base G-buffer and may be negative. Pixels are the "
+        "image's, at half resolution as well; samples those of the pass that takes them, where "
+        "their "
+        "number is fixed.</p>\n"
         "<div class=\"scroll\"><table><thead><tr><th class=\"name\">Method</th><th "
-        "class=\"text\">Pass</th><th>Time<small>ms <em>{}</em></small></th><th "
-        "class=\"share\">Share of its "
+        "class=\"text\">Pass</th><th>Time<small>ms <em>{}</em></small></th><th>ns a "
+        "pixel</th><th>ns "
+        "a sample</th><th class=\"share\">Share of its "
         "passes</th><th>Coverage</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         escape_html(analysis.context.device_class), rows);
 }

@@ -133,8 +133,8 @@ std::string make_chart_notice() {
 std::string make_footer(const PictureFinder& finder) {
     std::string text = "<footer><p>This folder can be read without the program that made it:";
     for (const char* file :
-         {"summary.csv", "tradeoff.csv", "targets.csv", "explanation.csv", "strata.csv",
-          "samples.csv", "metrics.csv", "plan.json", "context.json"}) {
+         {"summary.csv", "passes.csv", "tradeoff.csv", "targets.csv", "explanation.csv",
+          "strata.csv", "samples.csv", "metrics.csv", "plan.json", "context.json"}) {
         text += fmt::format(" <a href=\"{}\">{}</a>", finder.make_url(file), file);
     }
     return text + "</p></footer>\n";

@@ -21,7 +21,7 @@ namespace alcove {
 
 /// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
 /// refused by name.
-inline constexpr int kRunSchemaVersion = 4;
+inline constexpr int kRunSchemaVersion = 5;
 
 /// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
 /// Intervals and gates use the envelope.
@@ -100,6 +100,8 @@ struct CellRecord {
     std::string target_note; ///< what the method cannot map, in words; empty if it maps all of it
     int warm_frames = 0;     ///< 0: one value stands in both the cold and the converged column
     std::string effects = "all"; ///< or "without object_motion,..."
+    std::string sampling_pass;   ///< the one that takes samples; empty: their number is not known
+    double samples_per_pixel = 0.0; ///< of the full-resolution image
 };
 
 /// Something that happens in a walkthrough: "cut", "box lifts".

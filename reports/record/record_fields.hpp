@@ -41,6 +41,8 @@ void visit(V& v, CellRecord& r) {
     v("target_note", r.target_note);
     v("warm_frames", r.warm_frames);
     v("effects", r.effects);
+    v("sampling_pass", r.sampling_pass);
+    v("samples_per_pixel", r.samples_per_pixel);
 }
 
 template <class V>

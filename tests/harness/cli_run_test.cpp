@@ -36,8 +36,8 @@ ChildResult RunVerb::s_first;
 TEST_F(RunVerb, LeavesARunFolderAPageAndATable) {
     ASSERT_EQ(s_first.exit_code, 0) << s_first.err;
     for (const char* file :
-         {"context.json", "plan.json", "samples.csv", "metrics.csv", "summary.csv", "tradeoff.csv",
-          "report/index.html", "rounds/r001-template_scene/samples.csv",
+         {"context.json", "plan.json", "samples.csv", "metrics.csv", "summary.csv", "passes.csv",
+          "tradeoff.csv", "report/index.html", "rounds/r001-template_scene/samples.csv",
           "rounds/r001-template_scene/metrics.csv", "rounds/r001-template_scene/done.json"}) {
         EXPECT_GT(fs::file_size(folder() / "first" / file), 0u) << file;
     }

@@ -51,6 +51,8 @@ std::vector<CellRecord> make_cells() {
     cells[2].has_passes = false;
     cells[3].parameters = {{"samples", "16", "samples", "n", "default"},
                            {"radius", "0.5", "m", "r", "default"}};
+    cells[3].sampling_pass = "hemisphere_ssao/occlusion";
+    cells[3].samples_per_pixel = 16.0;
     cells[4].parameters = {{"samples", "64", "samples", "n", "command line"},
                            {"radius", "0.5", "m", "r", "default"}};
     cells[4].target_note = "linear falloff is approximated by 1 / (1 + d)";
