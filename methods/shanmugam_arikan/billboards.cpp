@@ -71,10 +71,15 @@ void Billboards::place_spheres(const MethodInputs& inputs) {
     for (const Sphere& sphere : m_poser->pose(geometry)) {
         const glm::dvec3 center(view_from_origin * glm::dvec4(glm::dvec3(sphere.center), 1.0));
         const auto radius = static_cast<double>(sphere.radius);
-        // Receivers within the sphere count as well where `inside_value` does.
-        const double limit = std::max(std::min(far_distance * radius, m_params.reach), radius);
+        const double outside = std::min(far_distance * radius, m_params.reach);
+        // Receivers within the sphere count where `inside_value` does, and no others where it
+        // reaches no farther than its own surface.
+        const double limit = m_params.inside_value > 0.0 ? std::max(outside, radius) : outside;
+        if (limit < radius || radius <= 0.0) {
+            continue;
+        }
         const DeviceRectangle bounds = compute_ball_bounds(center, limit, tangents);
-        if (radius > 0.0 && !bounds.is_empty()) {
+        if (!bounds.is_empty()) {
             m_instances.push_back({glm::vec4(glm::vec3(center), sphere.radius),
                                    glm::vec4(glm::vec2(bounds.low), glm::vec2(bounds.high))});
         }

@@ -20,7 +20,7 @@ enum class OcclusionBlending { additive, multiplicative };
 struct ShanmugamArikanParams {
     OcclusionPart part = OcclusionPart::combined;
     double r_far = 0.5; ///< metres
-    int samples = 64;   ///< most neighbours of a pixel on each layer
+    int samples = 32;   ///< most neighbours of a pixel on each layer
     NeighbourPattern pattern = NeighbourPattern::logarithmic;
     bool rotation = true;
     int layers = 2; ///< depth layers of the near part

@@ -147,7 +147,7 @@ ParameterTable make_shanmugam_arikan_table() {
 std::vector<Preset> make_shanmugam_arikan_presets() {
     return {
         {"default",
-         "both parts, two peeled layers, 64 neighbours, 2000 spheres, epsilon 0.05",
+         "both parts, two peeled layers, 32 neighbours, 2000 spheres, epsilon 0.05",
          {},
          1.0,
          2.0,
