@@ -41,6 +41,9 @@ struct MethodRequests {
     ChannelSet part_channels{Channel::eye_depth, Channel::normal};
     /// Samples a pixel that the picture is composed with, 1, 2, 4 or 8: the base channels.
     int samples = 1;
+    /// With more than one sample: each takes the method's value of that of the 3x3 pixels around
+    /// whose depth is nearest to its own, not of its own pixel.
+    bool samples_take_nearest = false;
 
     friend bool operator==(const MethodRequests&, const MethodRequests&) = default;
 };

@@ -14,10 +14,11 @@ Compose::Compose(const gl::Functions& gl, ImageSize size)
 
 void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
                      const gl::Texture* visibility, const gl::Texture* radiance,
-                     PassRecorder& passes) {
+                     PassRecorder& passes, const gl::Texture* pixel_depth) {
     ALCOVE_ASSERT((visibility != nullptr) != (radiance != nullptr),
                   "a visibility or a radiance image");
     const bool is_multisampled = gbuffer.samples() > 1;
+    ALCOVE_ASSERT(pixel_depth == nullptr || is_multisampled, "depths that samples choose by");
     if (is_multisampled && !m_multisampled) {
         m_multisampled.emplace(m_gl,
                                gl::ShaderLibrary{embedded_frame_shaders(), embedded_gl_shaders()},
@@ -30,7 +31,11 @@ void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
     m_gl.BindTextureUnit(1, gbuffer.texture(Channel::albedo).get());
     m_gl.BindTextureUnit(2, gbuffer.texture(Channel::direct_light).get());
     m_gl.BindTextureUnit(3, (visibility != nullptr ? visibility : radiance)->get());
+    if (pixel_depth != nullptr) {
+        m_gl.BindTextureUnit(4, pixel_depth->get());
+    }
     m_gl.Uniform1i(program.location("samples"), gbuffer.samples());
+    m_gl.Uniform1i(program.location("takes_nearest"), pixel_depth != nullptr ? 1 : 0);
     m_gl.Uniform1i(program.location("is_radiance"), radiance != nullptr ? 1 : 0);
     m_gl.Uniform3f(program.location("ambient"), ambient.x, ambient.y, ambient.z);
     program.draw(m_framebuffer.get(), m_picture.size());

@@ -18,9 +18,12 @@ class Compose {
     /// The G-buffer may be multisampled: then every sample is shaded and their mean is the picture.
     /// direct + ambient x albedo x visibility, or direct + radiance where the method gives that;
     /// linear Rec. 709, RGBA16F. One of the two textures is not null. The background shows the
-    /// ambient radiance.
+    /// ambient radiance. `pixel_depth`, of a multisampled G-buffer alone: eye depth at the pixels'
+    /// centres, for which the method's image was made; every sample takes the value of that of the
+    /// 3x3 pixels around whose depth is nearest to its own. Null: of its own pixel.
     void render(const GBuffer& gbuffer, const glm::vec3& ambient, const gl::Texture* visibility,
-                const gl::Texture* radiance, PassRecorder& passes);
+                const gl::Texture* radiance, PassRecorder& passes,
+                const gl::Texture* pixel_depth = nullptr);
     [[nodiscard]] const gl::Texture& picture() const noexcept { return m_picture; }
 
   private:

@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <random>
 #include <system_error>
 
 namespace alcove {
@@ -43,39 +41,9 @@ void add_entries(const std::string& kind, const fs::path& folder,
 } // namespace
 
 const std::vector<std::string>& list_cache_kinds() {
-    static const std::vector<std::string> kKinds{"references", "gbuffers", "captures", "builds"};
+    static const std::vector<std::string> kKinds{"references", "gbuffers", "captures", "spheres",
+                                                 "builds"};
     return kKinds;
-}
-
-fs::path make_cache_path(const fs::path& folder, const std::string& kind, const std::string& key,
-                         const std::string& suffix) {
-    ALCOVE_ASSERT(key.size() > 2, "a key");
-    return folder / kind / key.substr(0, 2) / (key + suffix);
-}
-
-void write_cache_file(const fs::path& path, std::string_view bytes) {
-    std::random_device random; // two programs may write the same entry
-    const fs::path temporary = path.string() + ".tmp" + std::to_string(random());
-    std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    {
-        std::ofstream stream(temporary, std::ios::binary);
-        stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        stream.flush();
-        if (!stream) {
-            fs::remove(temporary, error);
-            throw FailureError(path.string(), "cannot write");
-        }
-    }
-    fs::rename(temporary, path, error);
-    if (error) {
-        throw FailureError(path.string(), "cannot rename into place: " + error.message());
-    }
-}
-
-void mark_used(const fs::path& entry) {
-    std::error_code ignored;
-    fs::last_write_time(entry, fs::file_time_type::clock::now(), ignored);
 }
 
 std::vector<CacheEntry> list_cache(const fs::path& folder) {

@@ -4,6 +4,7 @@
 //
 //   references/ab/<key>.exr   ray-traced halves          gbuffers/ab/<key>.texels, .times
 //   captures/ab/<key>/        images and metrics of a cell, with their ingredients
+//   spheres/ab/<key>.clusters what shanmugam_arikan has found for a geometry
 //   builds/<commit>/          programs that `ab` has built
 
 #include "core/base/cache_folder.hpp"
@@ -20,18 +21,6 @@ inline constexpr std::uintmax_t kCacheLimitBytes = 8ull << 30;
 
 /// The kinds of entries, by the names of their folders.
 [[nodiscard]] const std::vector<std::string>& list_cache_kinds();
-
-/// kind/ab/<key><suffix> below `folder`; `key` starts with "ab".
-[[nodiscard]] std::filesystem::path make_cache_path(const std::filesystem::path& folder,
-                                                    const std::string& kind, const std::string& key,
-                                                    const std::string& suffix);
-
-/// Writes a file whole or not at all as far as a kill goes; without waiting for the disk, since a
-/// checksum tells what a power cut has left. Creates its folder. Throws FailureError.
-void write_cache_file(const std::filesystem::path& path, std::string_view bytes);
-
-/// Notes that an entry was used now. Failures (a read-only cache) are no error.
-void mark_used(const std::filesystem::path& entry);
 
 struct CacheEntry {
     std::string kind;

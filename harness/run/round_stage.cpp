@@ -250,15 +250,20 @@ void RoundStage::compose(const MethodCell* cell, const MethodOutput& output, Pas
     m_context.reset_state();
     gl().Finish();
     const GBuffer* gbuffer = &m_gbuffers.get(kBaseGBuffer);
+    const gl::Texture* pixel_depth = nullptr;
     if (cell != nullptr) {
         for (const GBufferKey& key : list_keys(*cell)) {
             if (key.part.kind == PartKind::multisampled) {
                 gbuffer = &m_gbuffers.get(key);
+                pixel_depth = cell->requests().samples_take_nearest
+                                  ? &m_gbuffers.get(kBaseGBuffer).texture(Channel::eye_depth)
+                                  : nullptr;
             }
         }
     }
     PassRecorder recorder(timing, &m_timer);
-    m_compose.render(*gbuffer, m_lights.ambient, output.visibility, output.radiance, recorder);
+    m_compose.render(*gbuffer, m_lights.ambient, output.visibility, output.radiance, recorder,
+                     pixel_depth);
 }
 
 } // namespace alcove

@@ -43,6 +43,8 @@ class EstimatorMethod final : public Method {
         }
     }
 
+    [[nodiscard]] MethodRequests get_requests() const override { return m_recipe.requests; }
+
     void resize(ImageSize size) override {
         m_visibility = gl::Texture(m_gl, GL_R32F, size);
         m_framebuffer = gl::create_framebuffer(m_gl, {&m_visibility});

@@ -38,6 +38,7 @@ struct EstimatorRecipe {
     int blur_radius = 0;        ///< at full resolution: taps on each side, 0: no blur
     int upsample_width = 2;     ///< at half resolution: window in full-resolution pixels
     double edge_distance_m = 1; ///< off the tangent plane, where a tap's weight is 1/e
+    MethodRequests requests{};  ///< beyond eye depth and normal
 };
 
 /// `preparation` may be null.

@@ -6,6 +6,8 @@
 namespace alcove {
 namespace {
 
+constexpr int kPictureSamples = 4; ///< the most that every device offers
+
 /// Radius and weighting are parameters; the rest is as for all estimators with uniform steps.
 TargetMapping map_target(const Target& target) {
     Target but_weighting = target;
@@ -42,6 +44,8 @@ MethodUnit crytek_ssao_unit() {
         recipe.blur_radius = params.blur_radius;
         recipe.upsample_width = params.upsample_width;
         recipe.edge_distance_m = params.blur_edge * params.radius;
+        recipe.requests.samples = params.msaa == CrytekMsaa::off ? 1 : kPictureSamples;
+        recipe.requests.samples_take_nearest = params.msaa == CrytekMsaa::nearest_depth;
         return make_estimator_method(context.functions(), make_crytek_table(), resolved, recipe);
     };
     return unit;

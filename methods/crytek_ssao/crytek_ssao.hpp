@@ -27,6 +27,9 @@ enum class CrytekRandomisation { off, tile, pixel };
 /// `kernel_size`, chosen by the pixel: with one random number for both, or with one each.
 enum class CrytekIndexing { constant, decoupled_literal, decoupled };
 enum class CrytekWeighting { uniform, cosine };
+/// How the picture is composed, over 4 samples a pixel: with the pixel's visibility for all of
+/// them, or for each with that of the nearest depth around.
+enum class CrytekMsaa { off, pixel, nearest_depth };
 
 struct CrytekSsaoParams {
     double radius = 0.5; ///< metres
@@ -49,6 +52,7 @@ struct CrytekSsaoParams {
     int upsample_width = 8; ///< pixels of the full resolution
     int blur_radius = 3;    ///< pixels on each side; 0: no blur
     double blur_edge = 0.1; ///< in radii off the tangent plane
+    CrytekMsaa msaa = CrytekMsaa::off;
 };
 
 /// The points that samples are made of: xyz = unit direction, w = length in radii, in [0, 1).

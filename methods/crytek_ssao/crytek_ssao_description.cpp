@@ -105,6 +105,14 @@ ParameterBuilder describe_offsets() {
         .source(kBlog);
 }
 
+ParameterBuilder describe_msaa() {
+    return choice(&P::msaa, "msaa", {"off", "pixel", "nearest_depth"})
+        .inert("it is about the picture that visibility is composed into, not about visibility")
+        .meaning("The picture: one sample a pixel, or 4, each with the visibility of its pixel, "
+                 "or of that of the 3x3 pixels around whose depth is nearest to its own.")
+        .source("pixel: \"Know your SSAO artifacts\" 2013; nearest_depth: ours");
+}
+
 } // namespace
 
 ParameterTable make_crytek_table() {
@@ -131,6 +139,7 @@ ParameterTable make_crytek_table() {
             describe_upsample_width(&P::upsample_width),
             describe_blur_radius(&P::blur_radius).source(kBlog),
             describe_blur_edge(&P::blur_edge),
+            describe_msaa(),
         });
 }
 

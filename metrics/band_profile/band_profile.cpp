@@ -16,7 +16,10 @@ constexpr int kLargestReach = 64;
 constexpr std::size_t kSpan = 2;
 constexpr std::size_t kApart = 3;
 
+enum class Measure { ripple, bands, profile_error };
+
 struct BandProfileParams {
+    Measure measure = Measure::ripple;
     int reach = 6;
     double least_kink = 0.01;
 };
@@ -25,7 +28,10 @@ ParameterTable describe() {
     using P = BandProfileParams;
     return describe_parameters(
         "band_profile",
-        {integer(&P::reach, "reach")
+        {choice(&P::measure, "measure", {"ripple", "bands", "profile_error"})
+             .meaning("The value: the ripple, or one of the two others.")
+             .source("ours"),
+         integer(&P::reach, "reach")
              .range(1, kLargestReach)
              .unit("rows")
              .meaning("Rows to each side of which the mean is taken out of the profile: bands "
@@ -119,14 +125,13 @@ class BandProfile final : public Metric {
             result.undefined_reason = "fewer rows than twice the reach and one";
             return result;
         }
-        result.value = compute_rms(fine);
-        double mean = 0.0;
-        for (const double error : profile) {
-            mean += error / static_cast<double>(profile.size());
-        }
-        result.extras = {{"bands", count_kinks(profile, m_params.least_kink)},
-                         {"profile_error", compute_rms(profile)},
-                         {"mean_error", mean}};
+        const double ripple = compute_rms(fine);
+        const double bands = count_kinks(profile, m_params.least_kink);
+        const double error = compute_rms(profile);
+        result.value = m_params.measure == Measure::ripple  ? ripple
+                       : m_params.measure == Measure::bands ? bands
+                                                            : error;
+        result.extras = {{"ripple", ripple}, {"bands", bands}, {"profile_error", error}};
         return result;
     }
 
@@ -152,6 +157,18 @@ Image make_wave() {
 /// is 14 / 13 of the wave, whose squares are 0.01 in every second row.
 double compute_wave_by_hand() {
     return 0.1 * (14.0 / 13.0) * std::sqrt(0.5);
+}
+
+/// Flat to row 16, rises by 0.02 a row to row 32, by 0.01 to row 48, flat behind.
+Image make_rises() {
+    Image image = make_constant(0);
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            image.at(x, y) = 0.02f * static_cast<float>(std::clamp(y - 16, 0, 16)) +
+                             0.01f * static_cast<float>(std::clamp(y - 32, 0, 16));
+        }
+    }
+    return image;
 }
 
 Image make_smooth(ImageSize size) {
@@ -186,10 +203,10 @@ MetricUnit band_profile_unit() {
     unit.unit = "value";
     unit.definition =
         "Ours, on linear values (Rec. 709 luma of colour). e(y) = mean over a row's pixels of "
-        "test - reference. The value is the RMS of e less its mean over `reach` rows to each "
-        "side. bands: places, at least 4 rows apart, where |e(y + 2) - 2 e(y) + e(y - 2)| is the "
-        "largest around and least_kink or more. profile_error: RMS of e. mean_error: mean of e, "
-        "negative where the test is too dark.";
+        "test - reference. ripple: RMS of e less its mean over `reach` rows to each side. bands: "
+        "places, at least 4 rows apart, where |e(y + 2) - 2 e(y) + e(y - 2)| is the largest around "
+        "and least_kink or more. profile_error: RMS of e. The value is the one that `measure` "
+        "names.";
     unit.blind_to = "bands that do not run along rows, or are wider than twice the reach, and "
                     "noise, which a row's mean takes out.";
     unit.luma = true;
@@ -199,11 +216,14 @@ MetricUnit band_profile_unit() {
     unit.best = 0.0;
     unit.parameters = describe();
     unit.canary = MetricCanary{make_smooth, add_bands};
+    const std::vector<ParameterOverride> bands{{"measure", "bands"}};
     unit.checks = {
         {"a wave of 4 rows", make_wave, [] { return make_constant(128); }, compute_wave_by_hand(),
          1e-7, "by hand: 14 / 13 of the wave"},
         {"a constant error", [] { return make_constant(100); }, [] { return make_constant(151); },
          0.0, 1e-12, "by design: a level has no bands"},
+        {"three rises", make_rises, [] { return make_constant(0); }, 3.0, 1e-12,
+         "by hand: the profile's rise changes at rows 16, 32 and 48", bands},
     };
     unit.create = [table = unit.parameters](const ResolvedParameters& parameters) {
         return std::make_unique<BandProfile>(table.bind<BandProfileParams>(parameters));

@@ -1,6 +1,7 @@
 #include "reports/papers/papers.hpp"
 
 #include "reports/papers/statvo/statvo.hpp"
+#include "reports/papers/artifacts/artifacts.hpp"
 #include "reports/papers/tssao/tssao.hpp"
 
 #include <array>
@@ -11,6 +12,7 @@ std::span<const Paper> list_papers() {
     static constexpr std::array kPapers{
         Paper{"tssao", reproduce_tssao},
         Paper{"statvo", reproduce_statvo},
+        Paper{"artifacts", reproduce_artifacts},
     };
     return kPapers;
 }

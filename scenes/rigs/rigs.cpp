@@ -18,9 +18,9 @@
 namespace alcove {
 namespace {
 
-enum class Rig { plane, corner, tilt, silhouettes, foreground_pole };
-constexpr std::array<const char*, 5> kRigs{"plane", "corner", "tilt", "silhouettes",
-                                           "foreground_pole"};
+enum class Rig { plane, corner, tilt, silhouettes, foreground_pole, grazed_corner };
+constexpr std::array<const char*, 6> kRigs{"plane",       "corner",          "tilt",
+                                           "silhouettes", "foreground_pole", "grazed_corner"};
 
 struct RigsParameters {
     Rig rig = Rig::corner;
@@ -33,7 +33,8 @@ ParameterTable make_table() {
     return describe_parameters(
         "rigs", {choice(&P::rig, "rig", {kRigs.begin(), kRigs.end()})
                      .meaning("a plane that faces the camera, floor and wall that meet, a plane "
-                              "that leans away, bars before the sky, a pole before a far wall")
+                              "that leans away, bars before the sky, a pole before a far wall, the "
+                              "corner seen along its floor")
                      .source("ours; \"Know your SSAO artifacts\""),
                  real(&P::tilt_degrees, "tilt")
                      .range(0.0, 85.0)
@@ -60,6 +61,7 @@ std::unique_ptr<Scene> make_case(const RigsParameters& parameters) {
     case Rig::plane:
         return make_plane_case(plane);
     case Rig::corner:
+    case Rig::grazed_corner:
         return make_groove_case(GrooveAxis::horizontal);
     case Rig::tilt:
         plane.tilt_degrees = parameters.tilt_degrees;

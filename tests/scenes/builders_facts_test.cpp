@@ -270,8 +270,19 @@ TEST(Rigs, OnlyTheTiltedPlaneKnowsItsTilt) {
     EXPECT_EQ(hash("corner", "30"), hash("corner", "60"));
 }
 
+TEST(Rigs, OnlyThePlanesKnowTheirDistance) {
+    const auto hash = [](const char* rig, const char* distance) {
+        return hash_geometry(*open("rigs", {{"rig", rig}, {"distance", distance}}), 0.0);
+    };
+    EXPECT_NE(hash("tilt", "5"), hash("tilt", "20"));
+    EXPECT_NE(hash("plane", "5"), hash("plane", "20"));
+    EXPECT_EQ(hash("corner", "5"), hash("corner", "20"));
+    EXPECT_EQ(hash("corner", "5"), hash("grazed_corner", "5"));
+}
+
 TEST(Rigs, EveryRigIsInViewOnItsFirstAndLastFrame) {
-    for (const char* rig : {"plane", "corner", "tilt", "silhouettes", "foreground_pole"}) {
+    for (const char* rig :
+         {"plane", "corner", "tilt", "silhouettes", "foreground_pole", "grazed_corner"}) {
         const auto scene = open("rigs", {{"rig", rig}});
         for (const Camera* camera : {&scene->get_walkthrough().cameras.front(),
                                      &scene->get_walkthrough().cameras.back()}) {

@@ -1,14 +1,8 @@
+#include "reports/papers/findings.hpp"
 #include "reports/papers/tssao/tssao_parts.hpp"
 
 namespace alcove {
 namespace {
-
-FigurePicture make_picture(const Evidence& evidence, const CellAddress& cell, int frame,
-                           const std::string& picture, const std::string& caption) {
-    const std::string path = RunFolder::make_image_path(
-        evidence.get_round(cell.part, cell.round).id, evidence.get_cell(cell).id, frame, picture);
-    return {caption, "parts/" + cell.part + "/" + path};
-}
 
 PaperFigure make_figure6(const Evidence& evidence) {
     PaperFigure figure{"Figure 6: frames since a pixel lost its history",
@@ -17,8 +11,9 @@ PaperFigure make_figure6(const Evidence& evidence) {
     const char* const kSpeeds[] = {"0.25 degrees a frame", "1 degree", "3 degrees", "10 degrees"};
     for (std::size_t round = 0; round < std::size(kSpeeds); ++round) {
         const RoundRecord& record = evidence.get_round("rotation", round);
-        figure.pictures.push_back(make_picture(evidence, {"rotation", round, kTssao},
-                                               record.film.end - 1, "film_age", kSpeeds[round]));
+        figure.pictures.push_back(make_cell_picture(evidence, {"rotation", round, kTssao},
+                                                    record.film.end - 1, "film_age",
+                                                    kSpeeds[round]));
     }
     return figure;
 }
@@ -30,7 +25,7 @@ PaperFigure make_film_figure(const Evidence& evidence, const std::string& title,
     const int frame = evidence.get_round(part, 0).film.end - frames_before_end;
     for (const std::string& label : labels) {
         figure.pictures.push_back(
-            make_picture(evidence, {part, 0, label}, frame, "film_visibility", label));
+            make_cell_picture(evidence, {part, 0, label}, frame, "film_visibility", label));
     }
     return figure;
 }
@@ -42,7 +37,7 @@ PaperFigure make_still_figure(const Evidence& evidence, const std::string& title
     const int frame = evidence.get_round(part, 0).image_frames.at(kView);
     for (const std::string& label : labels) {
         figure.pictures.push_back(
-            make_picture(evidence, {part, 0, label}, frame, "visibility", label));
+            make_cell_picture(evidence, {part, 0, label}, frame, "visibility", label));
     }
     return figure;
 }

@@ -1,3 +1,4 @@
+#include "reports/papers/findings.hpp"
 #include "reports/papers/tssao/tssao_parts.hpp"
 
 #include <array>
@@ -8,35 +9,12 @@ namespace {
 constexpr auto kCold = SampleState::cold;
 constexpr auto kConverged = SampleState::converged;
 
-/// Is a's metric below b's, frame by frame?
-Finding compare(const Evidence& evidence, const CellAddress& a, const CellAddress& b,
-                const std::string& metric, SampleState state, const std::string& on) {
-    const Estimate difference = evidence.compare_metric(a, b, metric, state);
-    return {judge_below(difference, 0.0), metric + " of " + a.label + " - of " + b.label + " < 0",
-            difference, on};
-}
-
-/// The weakest of several comparisons speaks for all.
-Finding combine_findings(const std::vector<Finding>& findings, const std::string& tested) {
-    std::vector<Outcome> outcomes;
-    for (const Finding& finding : findings) {
-        outcomes.push_back(finding.outcome);
-    }
-    const Outcome outcome = combine(outcomes);
-    for (const Finding& finding : findings) {
-        if (finding.outcome == outcome) {
-            return {outcome, tested, finding.measured, finding.tested + "; " + finding.why};
-        }
-    }
-    return findings.front();
-}
-
 Finding judge_stills(const Evidence& evidence, const std::string& part) {
     const auto at = [&part](const char* label) { return CellAddress{part, 0, label}; };
     const std::string on = "eight still views of the cathedral, converged, against 480 samples";
     return combine_findings(
-        {compare(evidence, at(kTssao), at("SSAO weak blur"), "rmse", kConverged, on),
-         compare(evidence, at(kTssao), at("SSAO strong blur"), "rmse", kConverged, on)},
+        {compare_metrics(evidence, at(kTssao), at("SSAO weak blur"), "rmse", kConverged, on),
+         compare_metrics(evidence, at(kTssao), at("SSAO strong blur"), "rmse", kConverged, on)},
         "converged TSSAO's rmse is lower than SSAO's with weak and with strong blur");
 }
 
@@ -52,24 +30,25 @@ void judge_errors(const Evidence& evidence, Judge& judge) {
     const CellAddress walking_ssao{"walk", 0, kSsao};
     const std::string on = "moving_objects, fixed camera, against 480 samples";
     const std::string on_walk = "a walk through the cathedral against 480 samples";
-    judge.set(
-        "TSSAO-128",
-        combine_findings({fox_compton, ritschel,
-                          compare(evidence, walking_tssao, walking_ssao, "rmse", kCold, on_walk),
-                          compare(evidence, moving_tssao, moving_ssao, "rmse", kCold, on)},
-                         "TSSAO's rmse is not above SSAO's in any part"));
+    judge.set("TSSAO-128",
+              combine_findings(
+                  {fox_compton, ritschel,
+                   compare_metrics(evidence, walking_tssao, walking_ssao, "rmse", kCold, on_walk),
+                   compare_metrics(evidence, moving_tssao, moving_ssao, "rmse", kCold, on)},
+                  "TSSAO's rmse is not above SSAO's in any part"));
     const Estimate closeness =
         evidence.estimate_metric({"stills_ritschel", 0, kTssao}, "rmse", kConverged);
     judge.set("TSSAO-129", {judge_below(closeness, 0.01),
                             "converged TSSAO is within rmse 0.01 (2.6/255) of 480 samples",
                             closeness, "eight still views of the cathedral"});
     // Before a fixed camera SSAO's noise stands still on the screen: only a walk shows it flicker.
-    judge.set("TSSAO-130",
-              compare(evidence, walking_tssao, walking_ssao, "temporal_flicker", kCold, on_walk));
+    judge.set("TSSAO-130", compare_metrics(evidence, walking_tssao, walking_ssao,
+                                           "temporal_flicker", kCold, on_walk));
     const CellAddress hemisphere{"ray_traced", 0, "TSSAO Ritschel"};
     const CellAddress disc{"ray_traced", 0, "TSSAO Fox & Compton"};
-    judge.set("TSSAO-090", compare(evidence, hemisphere, disc, "rmse", kConverged,
-                                   "eight still views of the cathedral against ray tracing"));
+    judge.set("TSSAO-090",
+              compare_metrics(evidence, hemisphere, disc, "rmse", kConverged,
+                              "eight still views of the cathedral against ray tracing"));
     const RoundRecord& traced = evidence.get_round("ray_traced", 0);
     const bool is_linear = traced.target.find("falloff=linear") != std::string::npos;
     judge.set("TSSAO-089", {is_linear ? Outcome::holds : Outcome::fails,
@@ -86,7 +65,7 @@ void judge_invalidation(const Evidence& evidence, Judge& judge) {
     const auto at = [](const char* label) { return CellAddress{"invalidation", 0, label}; };
     const std::string on = "a box that leaves the floor, converged start, against ray tracing";
     const auto is_less = [&](const char* a, const char* b, const char* metric) {
-        return compare(evidence, at(a), at(b), metric, kCold, on);
+        return compare_metrics(evidence, at(a), at(b), metric, kCold, on);
     };
     const Finding quieter = is_less("smooth 32", "full", "temporal_flicker");
     judge.set(
@@ -147,8 +126,8 @@ void judge_motion(const Evidence& evidence, Judge& judge) {
                "a box that leaves the floor"});
     const auto filter = [](const char* label) { return CellAddress{"filter", 0, label}; };
     const std::string on = "a bunny that turns 2 degrees a frame, against 480 samples";
-    judge.set("TSSAO-083", compare(evidence, filter("filter on"), filter("filter off"),
-                                   "temporal_flicker", kCold, on));
+    judge.set("TSSAO-083", compare_metrics(evidence, filter("filter on"), filter("filter off"),
+                                           "temporal_flicker", kCold, on));
 }
 
 } // namespace
