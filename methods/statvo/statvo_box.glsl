@@ -2,6 +2,11 @@
 // This work is based on: Hendrickx, Scandolo, Eisemann, Eisemann. Adaptively layered statistical volumetric
 // obscurance. 2015, section 3.3.
 
+// Background and depths that are no number have none: one of them in a sum would be in every sum beyond it.
+bool has_surface(float depth) {
+    return depth > 0.0 && !isinf(depth);
+}
+
 // Half the box's width and height in pixels: half_side metres at this eye depth, at least one pixel, in whole pixels and
 // the half of the pixel in the middle, so that a box about a pixel holds whole pixels, the same number on each side.
 vec2 compute_half_extent(float half_side, float depth, vec2 size, vec2 tangents) {

@@ -4,6 +4,7 @@
 // obscurance. 2015.
 #include "parameters.glsl"
 #include "core/frame/reconstruct.glsl"
+#include "methods/statvo/statvo_box.glsl"
 layout(binding = 0) uniform sampler2D eye_depth_texture;
 layout(binding = 1) uniform sampler2D hidden_depth_texture;
 uniform vec2 tangents;
@@ -18,7 +19,7 @@ vec4 add_positions(sampler2D depths, ivec2 first, vec2 tangents) {
         for (int x = 0; x < param_downsample; ++x) {
             ivec2 pixel = first + ivec2(x, y);
             float depth = texelFetch(depths, min(pixel, size - 1), 0).r;
-            bool counts = all(lessThan(pixel, size)) && !isinf(depth);
+            bool counts = all(lessThan(pixel, size)) && has_surface(depth);
             vec3 position = reconstruct_view_position((vec2(pixel) + 0.5) * pixel_size, depth, tangents);
             sum += counts ? vec4(position, 1.0) : vec4(0.0);
         }

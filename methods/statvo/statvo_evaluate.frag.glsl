@@ -73,10 +73,12 @@ void main() {
     float depth = texelFetch(eye_depth_texture, pixel, 0).r;
     vec4 sums = vec4(0.0);
     vec4 counts = vec4(0.0);
-    if (!isinf(depth)) {
+    if (has_surface(depth)) {
         TableSpace space = make_table_space(texelFetch(range_texture, ivec2(0), 0), size, tangents);
         vec3 p = reconstruct_view_position((vec2(pixel) + 0.5) / size, depth, tangents) - space.centre;
-        Receiver receiver = Receiver(p, texelFetch(normal_texture, pixel, 0).xyz, space.scale);
+        vec3 normal = texelFetch(normal_texture, pixel, 0).xyz;
+        // A normal that is no number is none: nothing is above it.
+        Receiver receiver = Receiver(p, dot(normal, normal) >= 0.0 ? normal : vec3(0.0), space.scale);
         vec2 half_extent = compute_half_extent(param_radius, depth, size, tangents);
         add_regions(receiver, vec2(pixel), half_extent, size, batch, sums, counts);
     }

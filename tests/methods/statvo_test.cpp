@@ -263,6 +263,28 @@ TEST_F(StatvoTest, ZeroNormalsBackgroundAndTinyOrHugeBoxesNeverGiveNan) {
     }
 }
 
+TEST_F(StatvoTest, ADepthThatIsNoNumberIsBackgroundAndANormalNone) {
+    StatvoScene broken = make_statvo_scene(kStatvoSize);
+    StatvoScene clean = make_statvo_scene(kStatvoSize);
+    for (int y = 10; y < 14; ++y) {
+        for (int x = 20; x < 24; ++x) {
+            broken.visible.depth.at(x, y) = NAN;
+            clean.visible.depth.at(x, y) = INFINITY;
+            for (int c = 0; c < 3; ++c) {
+                broken.visible.normal.at(x + 8, y, c) = NAN;
+                clean.visible.normal.at(x + 8, y, c) = 0.0f;
+            }
+        }
+    }
+    for (const char* numbers : {"float32", "float32_centred", "integer"}) {
+        const Image expected = run_with(clean.visible, {{"numbers", numbers}});
+        const Image visibility = run_with(broken.visible, {{"numbers", numbers}});
+        for (std::size_t i = 0; i < visibility.values().size(); ++i) {
+            ASSERT_EQ(visibility.values()[i], expected.values()[i]) << numbers << " " << i;
+        }
+    }
+}
+
 TEST_F(StatvoTest, MapsTheRadiusAndSaysWhatItCannotDo) {
     const TargetMapping mapping =
         m_unit.map_target({0.7, Falloff::quadratic, Weighting::uniform, Normals::geometric});
