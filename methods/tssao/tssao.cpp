@@ -30,6 +30,8 @@ std::vector<Preset> make_presets() {
          1.0,
          2.0,
          ""},
+        {"unfiltered", "as default, without the filter: a control",
+         make_overrides({{"filter_radius", "0"}}), 1.0, 2.0, ""},
         {"paper_table2_sibenik",
          "Table 2, Sibenik: 32 samples a frame falling to 16; tolerances, estimator and kernel "
          "were not published",
