@@ -204,15 +204,12 @@ void StatvoLayerTables::build_levels(PassRecorder& passes) {
     for (int level = 1; level <= m_params.levels; ++level) {
         const auto pass = passes.scope("statvo/level" + std::to_string(level));
         split_level(level - 1);
-        if (m_params.tables == StatvoTables::all) {
-            for (int i = 0; i < 1 << level; ++i) {
-                build_table(m_tables[static_cast<std::size_t>(find_first_table(level) + i)], i);
-            }
-        } else {
-            const int parents = 1 << (level - 1);
-            for (int i = 0; i < parents; ++i) {
-                build_table(m_tables[static_cast<std::size_t>(parents + i)], 2 * i);
-            }
+        // All tables of the level, or those of the even layers.
+        const bool has_all = m_params.tables == StatvoTables::all;
+        const int step = has_all ? 1 : 2;
+        auto table = m_tables.begin() + (has_all ? find_first_table(level) : 1 << (level - 1));
+        for (int layer = 0; layer < 1 << level; layer += step) {
+            build_table(*table++, layer);
         }
     }
 }
