@@ -104,10 +104,12 @@ TEST(RecordJson, NamesFileAndKeyOfWhatIsWrong) {
         return error_of(
             [&] { static_cast<void>(parse_plan_json(replaced(good, from, to), "dir/plan.json")); });
     };
-    for (const std::string version : {"3", "5"}) {
-        EXPECT_TRUE(contains(error("\"schema_version\": 4", "\"schema_version\": " + version),
-                             "dir/plan.json: schema_version: another schema version: found `" +
-                                 version + "`"));
+    const std::string current = std::to_string(kRunSchemaVersion);
+    for (const std::string& version :
+         {std::to_string(kRunSchemaVersion - 1), std::to_string(kRunSchemaVersion + 1)}) {
+        EXPECT_TRUE(contains(
+            error("\"schema_version\": " + current, "\"schema_version\": " + version),
+            "dir/plan.json: schema_version: another schema version: found `" + version + "`"));
     }
     EXPECT_TRUE(contains(error("\"repeats\"", "\"repeat\""), "repeats: the key is missing"));
     EXPECT_TRUE(
@@ -259,11 +261,13 @@ TEST(RecordCsv, NamesLineAndColumnOfWhatIsWrong) {
     EXPECT_TRUE(contains(error("1000,0", "1000,yes"), "column cached"));
     EXPECT_TRUE(
         contains(error("1000,0\n", "1000\n"), "samples.csv:2: the number of fields is wrong"));
-    EXPECT_TRUE(
-        contains(error("\n4,", "\n3,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(
-        contains(error("\n4,", "\n5,"), "samples.csv:2: column schema: another schema version"));
-    EXPECT_TRUE(contains(error("4,r0-balls", "4,r1-courtyard"), "a row of another round"));
+    const std::string current = std::to_string(kRunSchemaVersion);
+    for (const int other : {kRunSchemaVersion - 1, kRunSchemaVersion + 1}) {
+        EXPECT_TRUE(contains(error("\n" + current + ",", "\n" + std::to_string(other) + ","),
+                             "samples.csv:2: column schema: another schema version"));
+    }
+    EXPECT_TRUE(contains(error(current + ",r0-balls", current + ",r1-courtyard"),
+                         "a row of another round"));
     const std::string cut = good.substr(0, good.size() - 4);
     EXPECT_TRUE(contains(error_of([&] {
                              static_cast<void>(
