@@ -7,6 +7,8 @@
 #include "methods/common/unit_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace alcove {
 namespace {
@@ -69,6 +71,17 @@ ParameterTable make_table() {
             describe_upsample_width(&P::upsample_width),
             describe_blur_edge(&P::blur_edge),
         });
+}
+
+/// Tap i: its direction (cos, sin) and its share (i + 0.5) / s of the radius.
+std::vector<glm::vec4> make_spiral(int samples, int turns) {
+    std::vector<glm::vec4> spiral;
+    for (int i = 0; i < samples; ++i) {
+        const double share = (i + 0.5) / samples;
+        const double angle = share * turns * 2.0 * std::numbers::pi;
+        spiral.emplace_back(std::cos(angle), std::sin(angle), share, 0.0);
+    }
+    return spiral;
 }
 
 /// Pass `sao/pyramid`: see sao_levels.glsl for its layout.
@@ -147,6 +160,7 @@ MethodUnit sao_unit() {
         const auto params = make_table().bind<SaoParams>(resolved);
         EstimatorRecipe recipe;
         recipe.name = "sao";
+        recipe.kernel = make_spiral(params.samples, params.turns);
         recipe.resolution = params.resolution;
         recipe.blur_radius = params.blur_radius;
         recipe.upsample_width = params.upsample_width;

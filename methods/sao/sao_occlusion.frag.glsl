@@ -6,8 +6,7 @@
 #include "methods/common/kernel_rotation.glsl"
 #include "methods/sao/sao_levels.glsl"
 layout(binding = 3) uniform sampler2D pyramid_texture;
-
-const float kTwoPi = 6.2831853;
+layout(std140) uniform KernelBlock { vec4 kernel[param_samples]; }; // xy: a direction of the spiral, z: share of the radius
 
 // The surface point that stands for a place `reach` pixels away: the one whose depth is read.
 vec3 read_surface(ivec2 place, float reach, ivec2 size) {
@@ -15,7 +14,7 @@ vec3 read_surface(ivec2 place, float reach, ivec2 size) {
     ivec2 pixel = place;
     float depth;
     if (level == 0) {
-        depth = texelFetch(eye_depth_texture, place, 0).r;
+        depth = textureLod(eye_depth_texture, (vec2(place) + 0.5) / vec2(size), 0.0).r;
     } else {
         ivec2 texel = min(place >> level, compute_level_size(level, size) - 1);
         pixel = min(find_level_pixel(texel, level), size - 1);
@@ -32,13 +31,12 @@ void main() {
     }
     ivec2 size = textureSize(eye_depth_texture, 0);
     float radius_px = 0.5 * float(size.y) * param_radius / (receiver.depth * tangents.y);
-    float turn = compute_turn(receiver.pixel, noise_seed);
+    float angle = compute_turn(receiver.pixel, noise_seed);
+    mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
     float sum = 0.0;
     for (int i = 0; i < param_samples; ++i) {
-        float share = (float(i) + 0.5) / float(param_samples);
-        float angle = share * float(param_turns) * kTwoPi + turn;
-        float reach = share * radius_px;
-        ivec2 place = receiver.pixel + ivec2(floor(reach * vec2(cos(angle), sin(angle)) + 0.5));
+        float reach = kernel[i].z * radius_px;
+        ivec2 place = receiver.pixel + ivec2(floor(reach * (turn * kernel[i].xy) + 0.5));
         bool is_inside = all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, size));
         vec3 v = (read_surface(clamp(place, ivec2(0), size - 1), reach, size) - receiver.position) / param_radius;
         float vv = dot(v, v);
