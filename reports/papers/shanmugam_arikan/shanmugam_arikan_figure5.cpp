@@ -28,17 +28,17 @@ Finding judge_combined(const Evidence& evidence, std::size_t round) {
     };
     const Estimate printed = gain("as printed", "near, random");
     const Estimate ours = gain("combined", "near");
-    const Estimate product = gain("multiplicative", "near");
     return {combine({judge_below(printed, 0.0), judge_below(ours, 0.0)}),
             "rmse of both parts - of the image-space part < 0, as printed and by default", ours,
-            fmt::format("{}; measured: by default. As printed {}. Spheres with the area S of a "
-                        "closed surface have the silhouette S, the body S/4 in the mean (Cauchy), "
-                        "and bodies behind bodies are summed as if they hid other directions. What "
-                        "spheres leave open multiplied: {}; summed down to epsilon 0.5 alone: {}; "
-                        "all sums halved: {}",
+            fmt::format("{}; measured: by default. As printed {}. Multiplied in place of summed "
+                        "{}. Spheres with the area S of a closed surface show S from every side, "
+                        "the body S/4 on average (Cauchy): with spheres of half the radius {}, "
+                        "multiplied {}. What is left are bodies behind bodies, summed as if they "
+                        "hid other directions",
                         describe_truth(evidence, "figure5", round), describe_estimate(printed),
-                        describe_estimate(product), describe_estimate(gain("epsilon 0.5", "near")),
-                        describe_estimate(gain("all halved", "near")))};
+                        describe_estimate(gain("multiplicative", "near")),
+                        describe_estimate(gain("silhouettes", "near")),
+                        describe_estimate(gain("silhouettes, multiplied", "near")))};
 }
 
 void judge_parts(const Evidence& evidence, Judge& judge) {
@@ -100,7 +100,8 @@ void judge_rays(const Evidence& evidence, Judge& judge) {
         "SA07-018",
         {judge_below(two, 0.5 * without.value),
          "gmsd of rays of 2 units to those of 160 below half of an image's without any detail", two,
-         fmt::format("{}; without detail {}", truth, describe_estimate(without))});
+         fmt::format("{}; without detail {}. 2 units, 5 cm, are few pixels at this size", truth,
+                     describe_estimate(without))});
 }
 
 } // namespace

@@ -47,9 +47,11 @@ inline constexpr const char* kNearPass = "shanmugam_arikan/near";
 inline constexpr const char* kSpheresPass = "shanmugam_arikan/spheres";
 inline constexpr const char* kFarPass = "shanmugam_arikan/far";
 
-/// Rounds of part `figure5`, and of part `layers`.
+/// Rounds of part `figure5`, of part `layers` and of part `fill`.
 inline constexpr std::size_t kStatue = 0;
 inline constexpr std::size_t kMolecule = 1;
 inline constexpr std::size_t kFoliage = 1;
+inline constexpr std::size_t kUncut = 0;
+inline constexpr std::size_t kCut = 1;
 
 } // namespace alcove

@@ -29,7 +29,7 @@ PaperTable make_figure5(const Evidence& evidence) {
                       "molecule: share too dark"},
                      {}};
     for (const char* label : {"near", "near, random", "far", "combined", "as printed",
-                              "multiplicative", "epsilon 0.5", "all halved"}) {
+                              "multiplicative", "silhouettes", "silhouettes, multiplied"}) {
         const CellAddress statue = find_native("figure5", label, kStatue);
         const CellAddress molecule = find_native("figure5", label, kMolecule);
         table.rows.push_back({label, describe_metric(evidence, statue, "rmse"),
@@ -102,16 +102,22 @@ PaperTable make_neighbours(const Evidence& evidence) {
 PaperTable make_fill(const Evidence& evidence) {
     PaperTable table{"fill",
                      "Section 5.3: the far part's time",
-                     describe_round(evidence, "fill") +
+                     describe_round(evidence, "fill", kUncut) + "; " +
+                         describe_round(evidence, "fill", kCut) +
                          "; area of a billboard from equation (5), in pi r^2; 6000 spheres unless "
                          "told otherwise, epsilon 0.1 with fewer",
-                     {"setting", "area", "far pass, ms", "spheres, ms", "mean occlusion"},
+                     {"setting", "area", "molecule: far pass, ms", "spheres, ms", "mean occlusion",
+                      "statue: far pass, ms", "spheres, ms", "mean occlusion"},
                      {}};
     const auto add = [&](const std::string& label, const std::string& area) {
-        const CellAddress cell = find_native("fill", label);
-        table.rows.push_back({label, area, describe_pass_ms(evidence, cell, kFarPass),
-                              describe_pass_ms(evidence, cell, kSpheresPass),
-                              describe_metric(evidence, cell, "mae")});
+        std::vector<std::string> row{label, area};
+        for (const std::size_t round : {kUncut, kCut}) {
+            const CellAddress cell = find_native("fill", label, round);
+            row.push_back(describe_pass_ms(evidence, cell, kFarPass));
+            row.push_back(describe_pass_ms(evidence, cell, kSpheresPass));
+            row.push_back(describe_metric(evidence, cell, "mae"));
+        }
+        table.rows.push_back(row);
     };
     for (const FillStep& step : list_fill_steps()) {
         add(step.label, format_rounded(step.get_area(), 3));
