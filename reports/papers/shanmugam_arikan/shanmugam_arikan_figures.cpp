@@ -21,7 +21,8 @@ PaperFigure make_figure(const Evidence& evidence, const std::string& title, cons
 
 std::vector<PaperFigure> make_shanmugam_arikan_figures(const Evidence& evidence) {
     const std::vector<std::string> rays{"160 units", "40 units", "10 units", "2 units"};
-    const std::vector<std::string> parts{"near", "far", "combined", "as printed", "multiplicative"};
+    const std::vector<std::string> parts{"near",           "far",        "combined", "as printed",
+                                         "multiplicative", "silhouettes"};
     return {make_figure(evidence, "Figure 5 a to d: lengths of rays", "occlusion", 0, "visibility",
                         rays, 0),
             make_figure(evidence, "Figure 5 e and g: both parts", "figure5", kStatue, "visibility",

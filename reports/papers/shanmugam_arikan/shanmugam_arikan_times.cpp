@@ -153,7 +153,7 @@ void judge_shares(const Evidence& evidence, Judge& judge) {
 
 void judge_polygons(const Evidence& evidence, Judge& judge) {
     constexpr std::size_t kFew = 0;
-    constexpr std::size_t kMillion = 2;
+    constexpr std::size_t kMillion = 1;
     const auto ratio = [&](const char* label, const char* pass) {
         return compare_rounds(evidence, "polygons", label, pass, kMillion, kFew);
     };
@@ -166,8 +166,8 @@ void judge_polygons(const Evidence& evidence, Judge& judge) {
                fmt::format("{}; the second layer, which is drawn once more, not included: with it "
                            "{}. Far pass {}, its spheres {}",
                            describe_round(evidence, "polygons"), describe_estimate(input),
-                           describe_estimate(ratio("combined", kFarPass)),
-                           describe_estimate(ratio("combined", kSpheresPass)))});
+                           describe_estimate(ratio("far", kFarPass)),
+                           describe_estimate(ratio("far", kSpheresPass)))});
 }
 
 } // namespace
