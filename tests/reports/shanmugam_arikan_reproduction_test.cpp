@@ -141,7 +141,7 @@ TEST_F(ShanmugamArikanReproduction, VerdictsFollowPlantedErrors) {
     planted.error["figure5:1:as printed (native)"] = 0.06;
     planted.error["closed_room:0:as printed (native)"] = 0.9;
     planted.error["planes:1:near (native)"] = 0.02;
-    planted.error["deforming:1:far (native)"] = 0.08;
+    planted.error["deforming:1:silhouettes (native)"] = 0.08;
     planted.error["layers:0:4 layers (native)"] = 0.06;
     planted.error["layers:1:3 layers (native)"] = 0.04; // as much as the second gains
     reproduction = reproduce(planted);
