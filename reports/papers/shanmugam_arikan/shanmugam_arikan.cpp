@@ -12,6 +12,11 @@ CellAddress find_native(const std::string& part, const std::string& label, std::
     return {part, round, label + " (native)"};
 }
 
+Estimate estimate_native(const Evidence& evidence, const std::string& part,
+                         const std::string& label, const std::string& metric, std::size_t round) {
+    return evidence.estimate_metric(find_native(part, label, round), metric, SampleState::cold);
+}
+
 Estimate compare_native(const Evidence& evidence, const std::string& part, const std::string& a,
                         const std::string& b, const std::string& metric, std::size_t round) {
     return evidence.compare_metric(find_native(part, a, round), find_native(part, b, round), metric,

@@ -14,11 +14,6 @@ std::string describe_truth(const Evidence& evidence, const std::string& part,
     return "against rays of 4 m, 160 units, " + describe_round(evidence, part, round);
 }
 
-Estimate estimate(const Evidence& evidence, const std::string& part, const std::string& label,
-                  const std::string& metric, std::size_t round = 0) {
-    return evidence.estimate_metric(find_native(part, label, round), metric, kCold);
-}
-
 /// Both readings of what is not published must agree: with spheres from vertices and all as
 /// printed, and with spheres spread over surfaces. Each beside the image-space part that has its
 /// neighbours.
@@ -44,8 +39,8 @@ Finding judge_combined(const Evidence& evidence, std::size_t round) {
 void judge_parts(const Evidence& evidence, Judge& judge) {
     judge.set("SA07-012", judge_combined(evidence, kMolecule));
     Finding combined = judge_combined(evidence, kStatue);
-    const Estimate dark = estimate(evidence, "figure5", "combined", kTooDark);
-    const Estimate printed_dark = estimate(evidence, "figure5", "as printed", kTooDark);
+    const Estimate dark = estimate_native(evidence, "figure5", "combined", kTooDark);
+    const Estimate printed_dark = estimate_native(evidence, "figure5", "as printed", kTooDark);
     combined.outcome =
         combine({combined.outcome, judge_above(dark, 0.0), judge_above(printed_dark, 0.0)});
     combined.tested += "; and some pixels are too dark by 0.05";
@@ -87,15 +82,16 @@ void judge_rays(const Evidence& evidence, Judge& judge) {
                compare_native(evidence, "occlusion", "40 units", "160 units", "mae"),
                describe_round(evidence, "occlusion") + "; measured: 40 - 160"});
     const std::string truth = describe_truth(evidence, "rays");
-    const Estimate ten = estimate(evidence, "rays", "10 units", "ssim");
+    const Estimate ten = estimate_native(evidence, "rays", "10 units", "ssim");
     judge.set("SA07-017",
               {judge_above(ten, 0.9), "ssim of rays of 10 units to those of 160 above 0.9", ten,
-               fmt::format("{}; 40 units {}, 2 units {}. The broad shade of statue and pedestal on "
-                           "what is around is what 10 units, 0.25 m, lose",
-                           truth, describe_estimate(estimate(evidence, "rays", "40 units", "ssim")),
-                           describe_estimate(estimate(evidence, "rays", "2 units", "ssim")))});
-    const Estimate two = estimate(evidence, "rays", "2 units", "gmsd");
-    const Estimate without = estimate(evidence, "rays", "constant", "gmsd");
+               fmt::format(
+                   "{}; 40 units {}, 2 units {}. The broad shade of statue and pedestal on "
+                   "what is around is what 10 units, 0.25 m, lose",
+                   truth, describe_estimate(estimate_native(evidence, "rays", "40 units", "ssim")),
+                   describe_estimate(estimate_native(evidence, "rays", "2 units", "ssim")))});
+    const Estimate two = estimate_native(evidence, "rays", "2 units", "gmsd");
+    const Estimate without = estimate_native(evidence, "rays", "constant", "gmsd");
     judge.set(
         "SA07-018",
         {judge_below(two, 0.5 * without.value),

@@ -25,6 +25,10 @@ void list_shanmugam_arikan_untestable(Judge& judge);
 /// The address of a cell that ran as its method comes, not mapped to the target: all of ours.
 [[nodiscard]] CellAddress find_native(const std::string& part, const std::string& label,
                                       std::size_t round = 0);
+/// Mean of a metric over a cell's frames.
+[[nodiscard]] Estimate estimate_native(const Evidence& evidence, const std::string& part,
+                                       const std::string& label, const std::string& metric,
+                                       std::size_t round = 0);
 /// Metric of a - of b, frame by frame; labels of one part.
 [[nodiscard]] Estimate compare_native(const Evidence& evidence, const std::string& part,
                                       const std::string& a, const std::string& b,

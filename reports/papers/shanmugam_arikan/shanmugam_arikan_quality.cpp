@@ -10,11 +10,6 @@ namespace {
 
 constexpr auto kCold = SampleState::cold;
 
-Estimate estimate(const Evidence& evidence, const std::string& part, const std::string& label,
-                  const std::string& metric, std::size_t round = 0) {
-    return evidence.estimate_metric(find_native(part, label, round), metric, kCold);
-}
-
 void judge_layers(const Evidence& evidence, Judge& judge) {
     std::vector<Outcome> enough;
     std::vector<Outcome> minor;
@@ -28,7 +23,8 @@ void judge_layers(const Evidence& evidence, Judge& judge) {
         const Estimate fourth = change("4 layers", "2 layers");
         const double most = 0.25 * std::abs(second.value);
         enough.push_back(combine({judge_below(second, 0.0), judge_within(third, -most, most)}));
-        const double small = 0.1 * estimate(evidence, "layers", "2 layers", "rmse", round).value;
+        const double small =
+            0.1 * estimate_native(evidence, "layers", "2 layers", "rmse", round).value;
         minor.push_back(judge_within(fourth, -small, small));
         numbers += fmt::format("{}; {}: second {}, third {}, third and fourth {}",
                                numbers.empty() ? "image-space part against rays of its reach" : "",
@@ -52,20 +48,21 @@ void judge_planes(const Evidence& evidence, Judge& judge) {
     std::vector<Outcome> outcomes;
     std::string without;
     for (std::size_t round = 0; round < 3; ++round) {
-        outcomes.push_back(judge_below(estimate(evidence, "planes", "near", "mae", round), 0.01));
-        without +=
-            (round == 0 ? "" : ", ") +
-            describe_estimate(estimate(evidence, "planes", "near, not pushed back", "mae", round));
+        outcomes.push_back(
+            judge_below(estimate_native(evidence, "planes", "near", "mae", round), 0.01));
+        without += (round == 0 ? "" : ", ") +
+                   describe_estimate(
+                       estimate_native(evidence, "planes", "near, not pushed back", "mae", round));
     }
     judge.set("SA07-030",
               {combine(outcomes), "mean occlusion of planes at 0, 30 and 55 degrees below 0.01",
-               estimate(evidence, "planes", "near", "mae", 2),
+               estimate_native(evidence, "planes", "near", "mae", 2),
                "five views each; measured: 55 degrees. Not pushed back: " + without});
 }
 
 void judge_reach(const Evidence& evidence, Judge& judge) {
     const Estimate more = compare_native(evidence, "r_far", "10 units", "5 units", "mae");
-    const Estimate there = estimate(evidence, "r_far", "5 units", "mae");
+    const Estimate there = estimate_native(evidence, "r_far", "5 units", "mae");
     judge.set("SA07-031",
               {judge_below(more, 0.1 * there.value),
                "twice the reach adds less than a tenth of mean occlusion", more,
@@ -77,7 +74,7 @@ void judge_reach(const Evidence& evidence, Judge& judge) {
 void judge_closed_room(const Evidence& evidence, Judge& judge) {
     const char* const kBlack = "false_occlusion:least=0.99";
     const auto get = [&](const char* label, const char* metric) {
-        return estimate(evidence, "closed_room", label, metric);
+        return estimate_native(evidence, "closed_room", label, metric);
     };
     const Estimate ours = get("combined", kBlack);
     const Estimate printed = get("as printed", kBlack);
@@ -99,7 +96,7 @@ void judge_closed_room(const Evidence& evidence, Judge& judge) {
 void judge_deforming(const Evidence& evidence, Judge& judge) {
     const char* const kMoving = "rmse[moving]";
     const auto get = [&](const char* label, std::size_t round) {
-        return estimate(evidence, "deforming", label, kMoving, round);
+        return estimate_native(evidence, "deforming", label, kMoving, round);
     };
     const Estimate start = get("silhouettes", 0);
     const Estimate change =
@@ -147,7 +144,7 @@ void judge_limits(const Evidence& evidence, Judge& judge) {
     };
     const auto too_dark = [&](std::size_t round) {
         return describe_estimate(
-            estimate(evidence, "far_camera", "near", "false_occlusion:least=0.05", round));
+            estimate_native(evidence, "far_camera", "near", "false_occlusion:least=0.05", round));
     };
     judge.set("SA07-035",
               {combine({judge_above(grows(1, 0), 0.0), judge_above(grows(2, 1), 0.0)}),
