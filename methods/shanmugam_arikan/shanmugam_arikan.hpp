@@ -13,7 +13,7 @@ enum class OcclusionPart { combined, near, far };
 enum class SecondSurface { peeled, back_faces };
 enum class NeighbourPattern { logarithmic, random, square };
 enum class OcclusionNorm { one, pi, two_pi };
-enum class RadiusRule { covering, rms_ball, rms_disc };
+enum class RadiusRule { covering, rms_ball, rms_disc, silhouette };
 enum class SphereMembers { surface, vertices };
 enum class OcclusionBlending { additive, multiplicative };
 

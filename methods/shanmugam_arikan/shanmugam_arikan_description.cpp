@@ -91,9 +91,12 @@ std::vector<ParameterBuilder> describe_far_part() {
             .meaning("What spheres are clustered from: points spread evenly over the triangles, or "
                      "the vertices.")
             .source("vertices: " + std::string(kPaper) + ", figure 6"),
-        choice(&P::radius_rule, "radius_rule", {"covering", "rms_ball", "rms_disc"})
-            .meaning("Radius of a sphere: to its farthest member, or that of the solid ball or the "
-                     "disc with the members' root mean square distance.")
+        choice(&P::radius_rule, "radius_rule", {"covering", "rms_ball", "rms_disc", "silhouette"})
+            .meaning(
+                "Radius of a sphere: to its farthest member, or that of the solid ball or the "
+                "disc with the members' root mean square distance; or half the disc's, so that all "
+                "spheres together show a quarter of the surface, as a closed convex body does "
+                "on average.")
             .source("ours (the paper is silent)"),
         real(&P::sphere_push_back, "sphere_push_back")
             .range(0.0, 2.0)

@@ -114,6 +114,8 @@ float compute_radius(RadiusRule rule, double mean_square, double largest_square)
         return static_cast<float>(std::sqrt(largest_square));
     case RadiusRule::rms_ball: // a solid ball of radius r has the mean square 3/5 r^2
         return static_cast<float>(std::sqrt(mean_square * 5.0 / 3.0));
+    case RadiusRule::silhouette: // half of the disc's: a quarter of its area
+        return static_cast<float>(std::sqrt(mean_square * 0.5));
     case RadiusRule::rms_disc: // a disc: 1/2 r^2
         break;
     }

@@ -48,6 +48,21 @@ Estimate correlate(const std::vector<double>& a, const std::vector<double>& b) {
     return estimate;
 }
 
+Estimate estimate_linearity(const std::vector<double>& x,
+                            const std::vector<std::map<int, double>>& times) {
+    ALCOVE_ASSERT(x.size() == times.size() && !times.empty(), "a series an x");
+    std::vector<double> fits;
+    for (const auto& [repeat, first] : times.front()) {
+        std::vector<double> of_repeat;
+        for (const std::map<int, double>& series : times) {
+            of_repeat.push_back(series.at(repeat));
+        }
+        const double r = correlate(x, of_repeat).value;
+        fits.push_back(r * r);
+    }
+    return estimate_across_repeats(fits);
+}
+
 Outcome judge_order(const Estimate& higher, const Estimate& lower, double slack) {
     if (!higher.interval || !lower.interval) {
         return Outcome::inconclusive;

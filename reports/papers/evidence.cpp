@@ -180,6 +180,17 @@ Estimate Evidence::compare_metric(const CellAddress& a, const CellAddress& b,
     return estimate_across_repeats(differences);
 }
 
+std::string Evidence::find_image_hash(const CellAddress& address, int frame) const {
+    const RoundRecord& round = get_round(address.part, address.round);
+    const CellRecord& cell = get_cell(address);
+    for (const MetricRow& row : get_part(address.part).metrics) {
+        if (row.round == round.id && row.cell == cell.id && row.frame == frame) {
+            return row.image_hash;
+        }
+    }
+    throw InputError("reproduce", "no metric of frame " + std::to_string(frame), address.label);
+}
+
 Estimate Evidence::estimate_metric(const CellAddress& address, const std::string& metric,
                                    SampleState state) const {
     const std::vector<double> values = get_values(address, metric, state);

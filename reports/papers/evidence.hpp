@@ -60,6 +60,8 @@ class Evidence {
     /// a - b frame by frame, and its mean over frames.
     [[nodiscard]] Estimate compare_metric(const CellAddress& a, const CellAddress& b,
                                           const std::string& metric, SampleState state) const;
+    /// Of the cell's visibility in a frame that any metric was measured on.
+    [[nodiscard]] std::string find_image_hash(const CellAddress& address, int frame) const;
     /// Mean over frames.
     [[nodiscard]] Estimate estimate_metric(const CellAddress& address, const std::string& metric,
                                            SampleState state) const;

@@ -26,6 +26,12 @@ Finding combine_findings(const std::vector<Finding>& findings, const std::string
     return findings.front();
 }
 
+std::string describe_round(const Evidence& evidence, const std::string& part, std::size_t round) {
+    const RoundRecord& record = evidence.get_round(part, round);
+    return std::to_string(record.segments.size()) + " views of " + record.scene + " at " +
+           std::to_string(record.width) + "x" + std::to_string(record.height);
+}
+
 FigurePicture make_cell_picture(const Evidence& evidence, const CellAddress& cell, int frame,
                                 const std::string& picture, const std::string& caption) {
     const std::string path = RunFolder::make_image_path(

@@ -18,6 +18,10 @@ namespace alcove {
 [[nodiscard]] Finding combine_findings(const std::vector<Finding>& findings,
                                        const std::string& tested);
 
+/// "8 views of cathedral at 320x180": on what a round's numbers were found.
+[[nodiscard]] std::string describe_round(const Evidence& evidence, const std::string& part,
+                                         std::size_t round = 0);
+
 /// A picture that a cell's run kept of a frame, by its path from the reproduction's folder.
 [[nodiscard]] FigurePicture make_cell_picture(const Evidence& evidence, const CellAddress& cell,
                                               int frame, const std::string& picture,

@@ -161,9 +161,11 @@ TEST(Clusters, CoverTheirMembersAndFollowThePose) {
     SpherePoser covering(set, RadiusRule::covering, 0.0);
     SpherePoser ball(set, RadiusRule::rms_ball, 0.0);
     SpherePoser disc(set, RadiusRule::rms_disc, 0.0);
+    SpherePoser silhouette(set, RadiusRule::silhouette, 0.0);
     const std::vector<Sphere> spheres = covering.pose(rest);
     const std::vector<Sphere> balls = ball.pose(rest);
     const std::vector<Sphere> discs = disc.pose(rest);
+    const std::vector<Sphere> silhouettes = silhouette.pose(rest);
     for (std::size_t i = 0; i < set.clusters.size(); ++i) {
         const SphereCluster& cluster = set.clusters[i];
         const PosedObject& object = rest.objects[cluster.object];
@@ -183,6 +185,8 @@ TEST(Clusters, CoverTheirMembersAndFollowThePose) {
         const double rms = std::sqrt(squares / cluster.count);
         EXPECT_NEAR(balls[i].radius, rms * std::sqrt(5.0 / 3.0), 1e-3 * rms + 1e-6);
         EXPECT_NEAR(discs[i].radius, rms * std::sqrt(2.0), 1e-3 * rms + 1e-6);
+        // A quarter of the disc's area: mean silhouette of a convex body over its surface.
+        EXPECT_NEAR(std::pow(silhouettes[i].radius / discs[i].radius, 2.0), 0.25, 1e-4);
     }
     // Pushed back by up to a radius, against the normal.
     SpherePoser pushed(set, RadiusRule::covering, 1.0);

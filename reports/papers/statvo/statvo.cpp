@@ -1,6 +1,7 @@
 #include "reports/papers/statvo/statvo.hpp"
 
 #include "reports/papers/claim.hpp"
+#include "reports/papers/findings.hpp"
 #include "reports/papers/statvo/statvo_parts.hpp"
 
 namespace alcove {
@@ -8,8 +9,7 @@ namespace alcove {
 std::string describe_views(const Evidence& evidence, const std::string& part, std::size_t round) {
     const RoundRecord& record = evidence.get_round(part, round);
     constexpr int kPublishedHeight = 720;
-    std::string text = std::to_string(record.segments.size()) + " views of " + record.scene +
-                       " at " + std::to_string(record.width) + "x" + std::to_string(record.height);
+    std::string text = describe_round(evidence, part, round);
     if (record.height < kPublishedHeight && part != "resolution") {
         text +=
             "; a box has fewer pixels than as published, so that downsampled tables are coarser "

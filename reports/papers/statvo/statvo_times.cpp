@@ -1,7 +1,5 @@
 #include "reports/papers/statvo/statvo_parts.hpp"
 
-#include "reports/analysis/series.hpp"
-
 namespace alcove {
 namespace {
 
@@ -117,19 +115,11 @@ void judge_layer_times(const Evidence& evidence, Judge& judge) {
               {judge_within(adaptive, 1.2, 4.8),
                "64 uniform / 4 adaptive layers within a factor 2 of 2.39", adaptive,
                views + "; 64 tables are built in place of 7, and 64 read in place of 4"});
-    // r^2 of cost against layers, repeat by repeat.
-    const double counts[] = {4.0, 16.0, 32.0, 64.0};
-    const char* const labels[] = {"4 uniform", "16 uniform", "32 uniform", "64 uniform"};
-    std::vector<double> fits;
-    for (const auto& [repeat, time] : evidence.get_cost_ms(at(labels[0]))) {
-        std::vector<double> times;
-        for (const char* label : labels) {
-            times.push_back(evidence.get_cost_ms(at(label)).at(repeat));
-        }
-        const double r = correlate({counts, counts + std::size(counts)}, times).value;
-        fits.push_back(r * r);
+    std::vector<std::map<int, double>> times;
+    for (const char* label : {"4 uniform", "16 uniform", "32 uniform", "64 uniform"}) {
+        times.push_back(evidence.get_cost_ms(at(label)));
     }
-    const Estimate fit = estimate_across_repeats(fits);
+    const Estimate fit = estimate_linearity({4.0, 16.0, 32.0, 64.0}, times);
     judge.set("STATVO-029",
               {judge_above(fit, 0.98), "cost is linear in 4, 16, 32, 64 uniform layers: r^2 > 0.98",
                fit, views});
