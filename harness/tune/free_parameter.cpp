@@ -39,13 +39,6 @@ std::string FreeParameter::describe(double place) const {
     return m_is_relative ? text + " * " + kTargetRadius : text;
 }
 
-double FreeParameter::locate(double value, double target_radius_m) const {
-    const double own = m_is_relative ? value / target_radius_m : value;
-    const double place = m_is_log ? std::log(own / m_minimum) / std::log(m_maximum / m_minimum)
-                                  : (own - m_minimum) / (m_maximum - m_minimum);
-    return std::clamp(place, 0.0, 1.0);
-}
-
 std::vector<FreeParameter> choose_free_parameters(const MethodUnit& unit,
                                                   const std::vector<std::string>& names) {
     std::vector<FreeParameter> free;

@@ -20,8 +20,6 @@ class FreeParameter {
     /// At `place` in [0,1]: a number, or a multiple of the target's radius ("0.93 * scene_radius"),
     /// as a calibration holds it. Rounded to four digits, integers to whole numbers.
     [[nodiscard]] std::string describe(double place) const;
-    /// The place of the value that a cell has; clamped to [0,1].
-    [[nodiscard]] double locate(double value, double target_radius_m) const;
 
   private:
     ParameterInfo m_info;
