@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtx/rotate_vector.hpp>
 
 namespace alcove {
 namespace {
@@ -113,6 +114,36 @@ void check_tracks(const Scene& scene, std::string_view where) {
     }
 }
 
+bool is_light(const glm::vec3& value) {
+    return is_finite(value) && value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f;
+}
+
+bool is_unit(const glm::dvec3& direction) {
+    return std::abs(glm::length(direction) - 1.0) < 1e-6;
+}
+
+void check_lights(const Lights& lights, std::string_view where) {
+    const std::string kNoLight = "has a light that is not finite or negative";
+    for (const DirectionalLight& light : lights.directional) {
+        if (!is_light(light.irradiance) || !is_unit(light.to_light)) {
+            throw InputError(where, kNoLight + ", or without direction");
+        }
+    }
+    for (const PointLight& light : lights.points) {
+        const bool has_place = std::isfinite(glm::length(light.position));
+        const bool has_cone =
+            !light.cone || (is_unit(light.cone->direction) && light.cone->inner_radians >= 0.0 &&
+                            light.cone->inner_radians < light.cone->outer_radians &&
+                            light.cone->outer_radians < 1.5708);
+        if (!is_light(light.intensity) || !has_place || !has_cone) {
+            throw InputError(where, kNoLight + ", or without place or cone");
+        }
+    }
+    if (!is_light(lights.ambient)) {
+        throw InputError(where, kNoLight);
+    }
+}
+
 void check_events(const Walkthrough& walkthrough, std::string_view where) {
     int last = 0;
     for (const WalkthroughEvent& event : walkthrough.events) {
@@ -129,6 +160,36 @@ void check_events(const Walkthrough& walkthrough, std::string_view where) {
 Deformation Scene::deform(std::size_t /*object*/, double /*time_s*/) const {
     ALCOVE_ASSERT(false, "an object that deforms");
     return {};
+}
+
+glm::vec3 compute_surrounding_radiance(const Lights& lights, const glm::dvec3& direction) {
+    if (!lights.environment) {
+        return lights.ambient;
+    }
+    return lights.environment->look_up(glm::rotateY(direction, -lights.environment_turn_radians));
+}
+
+glm::vec3 compute_irradiance(const DirectionalLight& light, const glm::dvec3& normal) {
+    return light.irradiance * static_cast<float>(std::max(glm::dot(normal, light.to_light), 0.0));
+}
+
+glm::vec3 compute_irradiance(const PointLight& light, const glm::dvec3& position,
+                             const glm::dvec3& normal) {
+    const glm::dvec3 to_light = light.position - position;
+    const double squared = glm::dot(to_light, to_light);
+    if (!(squared > 0.0)) {
+        return glm::vec3(0.0f);
+    }
+    const glm::dvec3 direction = to_light / std::sqrt(squared);
+    double factor = std::max(glm::dot(normal, direction), 0.0) / squared;
+    if (light.cone) {
+        const double outer = std::cos(light.cone->outer_radians);
+        const double inner = std::cos(light.cone->inner_radians);
+        const double along = -glm::dot(direction, light.cone->direction);
+        const double inside = std::clamp((along - outer) / (inner - outer), 0.0, 1.0);
+        factor *= inside * inside;
+    }
+    return light.intensity * static_cast<float>(factor);
 }
 
 SceneSize count_size(const Scene& scene) {
@@ -170,8 +231,21 @@ std::string hash_lights(const Scene& scene, double time_s) {
     for (const DirectionalLight& light : lights.directional) {
         add(hasher, light.to_light);
         add(hasher, light.irradiance);
+        hasher.add(light.casts_shadow);
+    }
+    for (const PointLight& light : lights.points) {
+        add(hasher, light.position - scene.get_origin());
+        add(hasher, light.intensity);
+        hasher.add(light.casts_shadow).add(light.cone.has_value());
+        if (light.cone) {
+            add(hasher, light.cone->direction);
+            hasher.add(light.cone->inner_radians).add(light.cone->outer_radians);
+        }
     }
     add(hasher, lights.ambient);
+    if (lights.environment) {
+        hasher.add(lights.environment->content_hash()).add(lights.environment_turn_radians);
+    }
     return hasher.finish_hex();
 }
 
@@ -229,6 +303,7 @@ void check_scene(const Scene& scene, std::string_view where) {
                            static_cast<std::size_t>(cuts.back()) >= walkthrough.cameras.size()))) {
         throw InputError(where, "cuts of the walkthrough are not ascending frames of it");
     }
+    check_lights(scene.get_lights(), where);
     check_tracks(scene, where);
     check_events(walkthrough, where);
     if (!(scene.get_ao_radius_m() > 0.0) || !std::isfinite(scene.get_ao_radius_m())) {

@@ -4,6 +4,7 @@
 // alone, never from a clock, and a scene opened twice gives the same bits.
 
 #include "core/base/camera.hpp"
+#include "core/base/environment.hpp"
 #include "core/base/parameters.hpp"
 #include "core/base/registry.hpp"
 
@@ -86,17 +87,49 @@ struct Pose {
     std::vector<glm::dmat4> object_to_world;
 };
 
-/// Light from infinitely far away, without shadow: what `direct` light a picture needs to be
-/// readable.
+/// Light from infinitely far away in one direction.
 struct DirectionalLight {
     glm::dvec3 to_light{0.0, 1.0, 0.0}; ///< unit, world
     glm::vec3 irradiance{0.0f};         ///< on a surface that faces the light; linear Rec. 709
+    bool casts_shadow = false;          ///< false: shines through everything
+};
+
+/// Where a spot light shines: full intensity inside the inner cone, none outside the outer one,
+/// in between by the square of (cos - cos outer) / (cos inner - cos outer), clamped, as glTF's
+/// KHR_lights_punctual recommends.
+struct SpotCone {
+    glm::dvec3 direction{0.0, -1.0, 0.0};      ///< unit, world, away from the light
+    double inner_radians = 0.0;                ///< half angle, in [0, outer)
+    double outer_radians = 0.7853981633974483; ///< half angle, in (0, pi / 2]
+};
+
+/// A point that shines, in all directions or into a cone. Irradiance at a distance d on a surface
+/// that faces it is intensity / d^2.
+struct PointLight {
+    glm::dvec3 position{0.0};  ///< world, metres
+    glm::vec3 intensity{0.0f}; ///< linear Rec. 709, irradiance at 1 m
+    std::optional<SpotCone> cone;
+    bool casts_shadow = false;
 };
 
 struct Lights {
     std::vector<DirectionalLight> directional;
+    std::vector<PointLight> points;
     glm::vec3 ambient{0.5f}; ///< radiance of the uniform surroundings; linear Rec. 709
+    /// Replaces `ambient` where it is not null; turned about +Y, from z towards x.
+    std::shared_ptr<const Environment> environment;
+    double environment_turn_radians = 0.0;
 };
+
+/// Radiance that comes from the surroundings in a world direction (need not be unit, not 0).
+[[nodiscard]] glm::vec3 compute_surrounding_radiance(const Lights& lights,
+                                                     const glm::dvec3& direction);
+
+/// Irradiance on a surface with this unit normal from one light that nothing blocks, on `position`
+/// (world); 0 on its back.
+[[nodiscard]] glm::vec3 compute_irradiance(const DirectionalLight& light, const glm::dvec3& normal);
+[[nodiscard]] glm::vec3 compute_irradiance(const PointLight& light, const glm::dvec3& position,
+                                           const glm::dvec3& normal);
 
 /// Where an object stands on one frame of its track, against its place at rest.
 struct TrackKey {
@@ -197,9 +230,9 @@ struct SceneSize {
 [[nodiscard]] std::string hash_lights(const Scene& scene, double time_s);
 
 /// Throws InputError naming `where` unless indices are in range, sizes agree, values are finite,
-/// clusters partition their mesh, textures exist, normals are unit within 1e-3, the walkthrough has
-/// a frame and valid cameras, cuts and events are ascending and in range, and every track names an
-/// object once.
+/// clusters partition their mesh, textures exist, lights are finite and not negative, normals are
+/// unit within 1e-3, the walkthrough has a frame and valid cameras, cuts and events are ascending
+/// and in range, and every track names an object once.
 void check_scene(const Scene& scene, std::string_view where);
 
 } // namespace alcove
