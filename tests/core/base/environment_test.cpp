@@ -67,11 +67,11 @@ TEST(environment, equirectangular_columns_turn_from_minus_z_to_plus_x) {
         }
     }
     const Environment map = Environment::from_equirectangular(image, "test");
-    EXPECT_EQ(map.look_up({0.2, 1.0, 0.0}).r, 1.0f);
-    EXPECT_EQ(map.look_up({0.2, -1.0, 0.0}).r, 0.0f);
-    EXPECT_EQ(map.look_up({1.0, 0.1, 0.0}).g, 1.0f);
-    EXPECT_EQ(map.look_up({-1.0, 0.1, 0.0}).g, 0.0f);
-    EXPECT_EQ(map.look_up({0.0, 0.1, -1.0}).g, 0.0f);
+    EXPECT_EQ(map.look_up({0.2, 1.0, 0.0}).x, 1.0f);
+    EXPECT_EQ(map.look_up({0.2, -1.0, 0.0}).x, 0.0f);
+    EXPECT_EQ(map.look_up({1.0, 0.1, 0.0}).y, 1.0f);
+    EXPECT_EQ(map.look_up({-1.0, 0.1, 0.0}).y, 0.0f);
+    EXPECT_EQ(map.look_up({0.0, 0.1, -1.0}).y, 0.0f);
 }
 
 // One bright pixel of a map 8 times as fine as the texels: its light must not fall between
