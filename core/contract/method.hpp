@@ -14,6 +14,8 @@
 #include "core/frame/gbuffer_part.hpp"
 #include "core/frame/passes.hpp"
 #include "core/frame/posed_geometry.hpp"
+#include "core/frame/raster.hpp"
+#include "core/frame/surroundings.hpp"
 #include "core/gl/context.hpp"
 #include "core/gl/program.hpp"
 
@@ -67,8 +69,12 @@ struct MethodInputs {
     const GBuffer* multisampled = nullptr;   ///< only if more than one sample was requested
     const PosedGeometry* geometry = nullptr; ///< only if requested
     const Lights* lights = nullptr;
+    SurroundingsView surroundings{}; ///< the light of `lights` from all around, on the GPU
+    Raster* raster = nullptr;        ///< draws the frame's scene from elsewhere, in passes of yours
     std::uint32_t noise_seed =
         0; ///< belongs to the harness: equal seeds and frames give equal images
+    /// Asks a method that gives radiance for its visibility beside it; never while times are taken.
+    bool wants_visibility = false;
     /// Asks for MethodOutput::history_state. Never set while times are taken, and must not change
     /// the images.
     bool wants_history_state = false;

@@ -12,7 +12,8 @@ ImageSize grow(ImageSize size, const Border& border) {
 MethodGBuffers::MethodGBuffers(const gl::Functions& gl, SceneRenderer& renderer, const Scene& scene,
                                const MethodRequests& requests, ImageSize size,
                                const Precision& precision)
-    : m_renderer(renderer), m_sphere(compute_bounding_sphere(scene)),
+    : m_renderer(renderer), m_scene(scene), m_sphere(compute_bounding_sphere(scene)),
+      m_raster(renderer, m_sphere), m_surroundings(gl),
       m_border(make_border(size, requests.border)),
       m_main(gl, grow(size, m_border), kBaseChannels | requests.channels, precision) {
     FrameView plain;
@@ -28,6 +29,9 @@ MethodGBuffers::MethodGBuffers(const gl::Functions& gl, SceneRenderer& renderer,
 
 void MethodGBuffers::draw(const FrameView& view) {
     m_view = m_border == Border{} ? view : extend(view, m_border);
+    m_lights = m_scene.compute_lights(view.time_s);
+    m_surroundings.update(m_lights);
+    m_raster.set_frame(view);
     m_renderer.render(m_main, m_view);
     const GBuffer* nearer = &m_main;
     for (Part& part : m_parts) {
@@ -39,8 +43,11 @@ void MethodGBuffers::draw(const FrameView& view) {
     }
 }
 
-MethodInputs MethodGBuffers::make_inputs() const {
+MethodInputs MethodGBuffers::make_inputs() {
     MethodInputs inputs{m_view, m_main};
+    inputs.lights = &m_lights;
+    inputs.surroundings = m_surroundings.look_through(m_view.camera);
+    inputs.raster = &m_raster;
     for (const Part& part : m_parts) {
         add_part(inputs, part.part, part.gbuffer, part.view);
     }

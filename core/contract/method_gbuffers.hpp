@@ -18,8 +18,9 @@ class MethodGBuffers {
     /// The base channels and what was requested, border included.
     [[nodiscard]] const GBuffer& main() const noexcept { return m_main; }
     [[nodiscard]] const Border& border() const noexcept { return m_border; }
-    /// The frame that was drawn last, with textures and views alone: all else is the caller's.
-    [[nodiscard]] MethodInputs make_inputs() const;
+    /// The frame that was drawn last with its lights: all else is the caller's. Holds until the
+    /// next frame is drawn.
+    [[nodiscard]] MethodInputs make_inputs();
 
   private:
     struct Part {
@@ -28,7 +29,11 @@ class MethodGBuffers {
         FrameView view;
     };
     SceneRenderer& m_renderer;
+    const Scene& m_scene;
     BoundingSphere m_sphere;
+    SceneRaster m_raster;
+    Surroundings m_surroundings;
+    Lights m_lights;
     Border m_border;
     FrameView m_view;
     GBuffer m_main;

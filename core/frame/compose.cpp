@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include <glm/gtc/type_ptr.hpp>
+
 namespace alcove {
 
 Compose::Compose(const gl::Functions& gl, ImageSize size)
@@ -12,9 +14,10 @@ Compose::Compose(const gl::Functions& gl, ImageSize size)
       m_program(gl, gl::ShaderLibrary{embedded_frame_shaders(), embedded_gl_shaders()},
                 "core/frame/compose.frag.glsl") {}
 
-void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
-                     const gl::Texture* visibility, const gl::Texture* radiance,
-                     PassRecorder& passes, const gl::Texture* pixel_depth) {
+void Compose::render(const GBuffer& gbuffer, const SurroundingsView& surroundings,
+                     const Camera& camera, const gl::Texture* visibility,
+                     const gl::Texture* radiance, PassRecorder& passes,
+                     const gl::Texture* pixel_depth) {
     ALCOVE_ASSERT((visibility != nullptr) != (radiance != nullptr),
                   "a visibility or a radiance image");
     const bool is_multisampled = gbuffer.samples() > 1;
@@ -37,7 +40,13 @@ void Compose::render(const GBuffer& gbuffer, const glm::vec3& ambient,
     m_gl.Uniform1i(program.location("samples"), gbuffer.samples());
     m_gl.Uniform1i(program.location("takes_nearest"), pixel_depth != nullptr ? 1 : 0);
     m_gl.Uniform1i(program.location("is_radiance"), radiance != nullptr ? 1 : 0);
-    m_gl.Uniform3f(program.location("ambient"), ambient.x, ambient.y, ambient.z);
+    m_gl.BindTextureUnit(5, gbuffer.texture(Channel::normal).get());
+    m_gl.BindTextureUnit(6, surroundings.radiance->get());
+    m_gl.BindTextureUnit(7, surroundings.prefiltered->get());
+    m_gl.UniformMatrix3fv(program.location("map_from_view"), 1, GL_FALSE,
+                          glm::value_ptr(surroundings.map_from_view));
+    const glm::vec2 tangents(compute_tangents(camera, m_picture.size()));
+    m_gl.Uniform2f(program.location("tangents"), tangents.x, tangents.y);
     program.draw(m_framebuffer.get(), m_picture.size());
 }
 

@@ -5,6 +5,7 @@
 #include "core/frame/full_screen.hpp"
 #include "core/frame/gbuffer.hpp"
 #include "core/frame/passes.hpp"
+#include "core/frame/surroundings.hpp"
 
 #include <optional>
 
@@ -16,13 +17,15 @@ class Compose {
   public:
     Compose(const gl::Functions& gl, ImageSize size);
     /// The G-buffer may be multisampled: then every sample is shaded and their mean is the picture.
-    /// direct + ambient x albedo x visibility, or direct + radiance where the method gives that;
-    /// linear Rec. 709, RGBA16F. One of the two textures is not null. The background shows the
-    /// ambient radiance. `pixel_depth`, of a multisampled G-buffer alone: eye depth at the pixels'
-    /// centres, for which the method's image was made; every sample takes the value of that of the
-    /// 3x3 pixels around whose depth is nearest to its own. Null: of its own pixel.
-    void render(const GBuffer& gbuffer, const glm::vec3& ambient, const gl::Texture* visibility,
-                const gl::Texture* radiance, PassRecorder& passes,
+    /// direct + mean surrounding radiance x albedo x visibility, or direct + radiance where the
+    /// method gives that; linear Rec. 709, RGBA16F. The mean is that over the hemisphere around the
+    /// normal, weighted by the cosine: the ambient radiance where the scene has no environment.
+    /// One of the two textures is not null. The background shows the surroundings. `pixel_depth`,
+    /// of a multisampled G-buffer alone: eye depth at the pixels' centres, for which the method's
+    /// image was made; every sample takes the value of that of the 3x3 pixels around whose depth is
+    /// nearest to its own. Null: of its own pixel.
+    void render(const GBuffer& gbuffer, const SurroundingsView& surroundings, const Camera& camera,
+                const gl::Texture* visibility, const gl::Texture* radiance, PassRecorder& passes,
                 const gl::Texture* pixel_depth = nullptr);
     [[nodiscard]] const gl::Texture& picture() const noexcept { return m_picture; }
 

@@ -6,6 +6,7 @@ layout(binding = 1) uniform sampler2DMS albedo_texture;
 layout(binding = 2) uniform sampler2DMS direct_light_texture;
 layout(binding = 3) uniform sampler2D method_texture; // visibility in r, or radiance in rgb
 layout(binding = 4) uniform sampler2D pixel_depth_texture; // where takes_nearest
+layout(binding = 5) uniform sampler2DMS normal_texture;
 uniform int samples;
 uniform bool takes_nearest;
 #include "core/frame/compose_surface.glsl"
@@ -32,9 +33,14 @@ void main() {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < samples; ++i) {
         float depth = texelFetch(eye_depth_texture, pixel, i).r;
-        ivec2 from = takes_nearest && !isinf(depth) ? find_nearest(pixel, depth) : pixel;
-        sum += shade(depth, texelFetch(albedo_texture, pixel, i).rgb,
+        if (isinf(depth)) {
+            sum += show_surroundings(gl_FragCoord.xy / vec2(textureSize(method_texture, 0)));
+            continue;
+        }
+        ivec2 from = takes_nearest ? find_nearest(pixel, depth) : pixel;
+        sum += shade(texelFetch(albedo_texture, pixel, i).rgb,
                      texelFetch(direct_light_texture, pixel, i).rgb,
+                     texelFetch(normal_texture, pixel, i).xyz,
                      texelFetch(method_texture, from, 0).rgb);
     }
     picture = vec4(sum / float(samples), 1.0);

@@ -11,23 +11,18 @@ in vec2 texture_coordinates;
 layout(binding = 0) uniform sampler2D albedo_texture; // sRGB: decoded before it is filtered
 #endif
 
-uniform int light_count;
-uniform vec3 light_direction[4];
-uniform vec3 light_irradiance[4];
+#ifdef HAS_PLACED_LIGHT
+in vec3 surface_position; // view space
+#endif
+#ifdef WRITE_direct_light
+#include "core/frame/lights.glsl"
+#endif
 
 #ifdef PEELED
 layout(binding = 1) uniform sampler2D nearer_depth_texture;
 #endif
 
 const float kInversePi = 0.31830989;
-
-vec3 compute_direct_light(vec3 n, vec3 albedo) {
-    vec3 irradiance = vec3(0.0);
-    for (int i = 0; i < light_count; ++i) {
-        irradiance += light_irradiance[i] * max(dot(n, light_direction[i]), 0.0);
-    }
-    return irradiance * albedo * kInversePi;
-}
 
 void main() {
 #ifdef PEELED
@@ -51,7 +46,13 @@ void main() {
     out_albedo = vec4(albedo, 1.0);
 #endif
 #ifdef WRITE_direct_light
-    out_direct_light = vec4(compute_direct_light(n, albedo), 1.0);
+#ifdef HAS_PLACED_LIGHT
+    vec3 facet = normalize(cross(dFdx(surface_position), dFdy(surface_position)));
+    vec3 irradiance = compute_irradiance(surface_position, n, facet);
+#else
+    vec3 irradiance = compute_irradiance(vec3(0.0), n, n);
+#endif
+    out_direct_light = vec4(irradiance * albedo * kInversePi, 1.0);
 #endif
 #ifdef WRITE_motion
     out_motion = vec4(motion, 0.0);

@@ -23,6 +23,9 @@ invariant out float eye_depth; // layers compare it between programs
 out vec3 motion;
 out vec3 surface_albedo;
 flat out uint surface_id;
+#ifdef HAS_PLACED_LIGHT
+out vec3 surface_position;
+#endif
 #ifdef HAS_TEXTURE
 out vec2 texture_coordinates;
 #endif
@@ -53,6 +56,9 @@ void main() {
     view_normal = vec3(dot(cross(b, c), n), dot(cross(c, a), n), dot(cross(a, b), n)) *
                   (dot(a, cross(b, c)) < 0.0 ? -1.0 : 1.0);
     eye_depth = -view_position.z;
+#ifdef HAS_PLACED_LIGHT
+    surface_position = view_position;
+#endif
     motion = apply(motion_matrix, vec4(position, 1.0));
 #ifdef DEFORMS
     motion += previous_world_from_object * delta;

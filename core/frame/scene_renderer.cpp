@@ -4,6 +4,7 @@
 #include "core/frame/scene_textures.hpp"
 #include "core/gl/shaders.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -34,6 +35,12 @@ std::string make_channel_outputs(ChannelSet channels) {
     return text;
 }
 
+bool has_placed_light(const Lights& lights) {
+    return !lights.points.empty() ||
+           std::any_of(lights.directional.begin(), lights.directional.end(),
+                       [](const DirectionalLight& light) { return light.casts_shadow; });
+}
+
 std::string make_stream_switches(const VertexStreams& streams) {
     return std::string(streams.has_colors ? "#define HAS_COLORS\n" : "") +
            (streams.has_texture ? "#define HAS_TEXTURE\n" : "") +
@@ -45,15 +52,10 @@ std::string make_stream_switches(const VertexStreams& streams) {
 SceneRenderer::SceneRenderer(const gl::Functions& gl, const Scene& scene, Culling culling)
     : m_gl(gl), m_scene(scene),
       m_culling(culling), m_library{embedded_frame_shaders(), embedded_gl_shaders()},
-      m_geometry(gl, scene), m_textures(upload_textures(gl, scene.get_textures())), m_culler(scene),
-      m_still(gl), m_moving(gl),
-      m_rebuild(gl, m_library, "core/frame/rebuild_eye_depth.frag.glsl") {
-    if (scene.get_lights().directional.size() > kMaximumLights) {
-        throw InputError("scene", "too many directional lights",
-                         std::to_string(scene.get_lights().directional.size()),
-                         "at most " + std::to_string(kMaximumLights));
-    }
-}
+      m_geometry(gl, scene), m_textures(upload_textures(gl, scene.get_textures())),
+      m_lights(gl, scene), m_has_placed_light(has_placed_light(scene.get_lights())),
+      m_culler(scene), m_still(gl), m_moving(gl),
+      m_rebuild(gl, m_library, "core/frame/rebuild_eye_depth.frag.glsl") {}
 
 const SceneRenderer::Pipeline& SceneRenderer::get_pipeline(const PipelineKey& key) {
     const auto known = m_pipelines.find(key);
@@ -61,13 +63,18 @@ const SceneRenderer::Pipeline& SceneRenderer::get_pipeline(const PipelineKey& ke
         return known->second;
     }
     Pipeline pipeline;
+    pipeline.is_lit = std::get<ChannelSet>(key).contains(Channel::direct_light);
+    const bool needs_position = pipeline.is_lit && m_has_placed_light;
     pipeline.program = gl::build_program(
         m_gl, m_library,
         {{GL_VERTEX_SHADER, "core/frame/gbuffer.vert.glsl"},
          {GL_FRAGMENT_SHADER, "core/frame/gbuffer.frag.glsl"}},
         {{"channel_outputs.glsl", make_channel_outputs(std::get<ChannelSet>(key)) +
                                       (std::get<bool>(key) ? "#define PEELED\n" : "")},
-         {"vertex_streams.glsl", make_stream_switches(std::get<VertexStreams>(key))}});
+         {"vertex_streams.glsl", make_stream_switches(std::get<VertexStreams>(key)) +
+                                     (needs_position ? "#define HAS_PLACED_LIGHT\n" : "")},
+         {"light_counts.glsl", SceneLights::make_shader_counts()}});
+    SceneLights::connect(pipeline.program);
     pipeline.clip_from_view = pipeline.program.location("clip_from_view");
     pipeline.previous_world_from_object = pipeline.program.location("previous_world_from_object");
     return m_pipelines.emplace(key, std::move(pipeline)).first->second;
@@ -95,19 +102,6 @@ void SceneRenderer::clear(const GBuffer& gbuffer) const {
     }
     const float far_depth = gbuffer.precision().reversed ? 0.0f : 1.0f;
     m_gl.ClearNamedFramebufferfv(gbuffer.framebuffer(), GL_DEPTH, 0, &far_depth);
-}
-
-void SceneRenderer::set_lights(const Pipeline& pipeline, const Camera& camera) const {
-    const std::vector<DirectionalLight>& lights = m_lights.directional;
-    m_gl.Uniform1i(pipeline.program.location("light_count"), static_cast<GLint>(lights.size()));
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const glm::vec3 direction(glm::transpose(camera.world_from_view) * lights[i].to_light);
-        const std::string index = "[" + std::to_string(i) + "]";
-        m_gl.Uniform3f(pipeline.program.location(("light_direction" + index).c_str()), direction.x,
-                       direction.y, direction.z);
-        m_gl.Uniform3f(pipeline.program.location(("light_irradiance" + index).c_str()),
-                       lights[i].irradiance.x, lights[i].irradiance.y, lights[i].irradiance.z);
-    }
 }
 
 FramePose SceneRenderer::pose_frame(const FrameView& view) {
@@ -181,7 +175,9 @@ void SceneRenderer::draw(const DrawList& list, ChannelSet channels, GLuint frame
             pipeline.program.use();
             const glm::mat4 rounded(projection);
             m_gl.UniformMatrix4fv(pipeline.clip_from_view, 1, GL_FALSE, glm::value_ptr(rounded));
-            set_lights(pipeline, camera);
+            if (pipeline.is_lit) {
+                m_lights.bind(camera);
+            }
             last = &pipeline;
         }
         if (streams.deforms) {
@@ -192,6 +188,59 @@ void SceneRenderer::draw(const DrawList& list, ChannelSet channels, GLuint frame
             m_gl.BindTextureUnit(0, m_textures[*group.texture].get());
         }
     });
+}
+
+void SceneRenderer::draw_from_light(const LightView& light, const FramePose& pose,
+                                    ChannelSet channels, GLuint framebuffer, ImageSize size) {
+    const ViewVolume volume(light.camera, size);
+    m_culler.set_frame(pose);
+    const VisibleSet visible =
+        light.is_orthographic() ? m_culler.find_all(volume) : m_culler.find_in_frustum(volume);
+    m_still.build(m_scene, m_geometry, visible, pose, light.camera, [](auto) { return true; });
+    draw(m_still, channels, framebuffer, light.camera, compute_projection(light),
+         {FaceRule::both, nullptr});
+}
+
+void SceneRenderer::draw_shadows(const FramePose& pose) {
+    if (!m_lights.are_shadows_stale()) {
+        return;
+    }
+    m_lights.clear_atlas();
+    const int side = m_lights.face_side();
+    m_gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    m_gl.Enable(GL_DEPTH_TEST);
+    m_gl.DepthFunc(GL_LEQUAL);
+    for (const SceneLights::Face& face : m_lights.faces()) {
+        m_gl.Viewport(face.left, face.bottom, side, side);
+        draw_from_light(face.view, pose, {Channel::eye_depth}, m_lights.atlas_framebuffer(),
+                        {side, side});
+    }
+    m_gl.Disable(GL_DEPTH_TEST);
+}
+
+void SceneRenderer::prepare_shadows(const FrameView& view) {
+    m_lights.set_time(m_scene, view.time_s);
+    if (m_lights.are_shadows_stale()) {
+        draw_shadows(pose_frame(view));
+    }
+}
+
+void SceneRenderer::render_light_view(const GBuffer& gbuffer, const LightView& light,
+                                      const FrameView& view) {
+    ALCOVE_ASSERT(gbuffer.size().width == gbuffer.size().height, "a square image");
+    ALCOVE_ASSERT(gbuffer.precision() == Precision{}, "the default precision");
+    const FramePose pose = pose_frame(view);
+    m_lights.set_time(m_scene, view.time_s);
+    if (gbuffer.channels().contains(Channel::direct_light)) {
+        draw_shadows(pose);
+    }
+    clear(gbuffer);
+    m_gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    m_gl.Enable(GL_DEPTH_TEST);
+    m_gl.DepthFunc(GL_LEQUAL);
+    m_gl.Viewport(0, 0, gbuffer.size().width, gbuffer.size().height);
+    draw_from_light(light, pose, gbuffer.channels(), gbuffer.framebuffer(), gbuffer.size());
+    m_gl.Disable(GL_DEPTH_TEST);
 }
 
 void SceneRenderer::rebuild_eye_depth(const GBuffer& gbuffer, const Camera& camera) const {
@@ -233,8 +282,11 @@ void SceneRenderer::render(const GBuffer& gbuffer, const FrameView& view, const 
     const glm::dmat4 projection = compute_projection(view.camera, view.size, reversed);
     m_counts = {};
     clear(gbuffer);
-    m_lights = m_scene.compute_lights(view.time_s);
     const FramePose pose = pose_frame(view);
+    m_lights.set_time(m_scene, view.time_s);
+    if (gbuffer.channels().contains(Channel::direct_light)) {
+        draw_shadows(pose);
+    }
     m_gl.Viewport(0, 0, view.size.width, view.size.height);
     m_gl.ClipControl(GL_LOWER_LEFT, reversed ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     m_gl.Enable(GL_DEPTH_TEST);

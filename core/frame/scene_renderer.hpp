@@ -7,6 +7,7 @@
 #include "core/frame/full_screen.hpp"
 #include "core/frame/gbuffer.hpp"
 #include "core/frame/gbuffer_part.hpp"
+#include "core/frame/scene_lights.hpp"
 
 #include <map>
 #include <optional>
@@ -14,9 +15,6 @@
 #include <vector>
 
 namespace alcove {
-
-/// Largest number of directional lights of a scene.
-inline constexpr std::size_t kMaximumLights = 4;
 
 /// What one frame cost in triangles.
 struct DrawCounts {
@@ -28,12 +26,18 @@ struct DrawCounts {
 class SceneRenderer {
   public:
     /// Uploads the scene's meshes. The scene must outlive the renderer. Culling changes no bit of
-    /// an image, only its cost. Throws InputError above kMaximumLights.
+    /// an image, only its cost. Throws InputError above the lights that SceneLights takes.
     SceneRenderer(const gl::Functions& gl, const Scene& scene,
                   Culling culling = Culling::occlusion);
 
+    /// Draws the shadow maps of the frame's time, unless they are there: what a caller does first
+    /// who takes the time of `render`, which does it otherwise.
+    void prepare_shadows(const FrameView& view);
     /// Fills all channels of the G-buffer.
     void render(const GBuffer& gbuffer, const FrameView& view);
+    /// As a light sees the frame's scene: front and back faces, every triangle in its view. The
+    /// G-buffer is square; depth is 32F, not reversed.
+    void render_light_view(const GBuffer& gbuffer, const LightView& light, const FrameView& view);
     /// With what lies behind the surfaces of `nearer`, a G-buffer of the same view: depth peeling,
     /// front and back faces alike. This work is based on: Everitt. Interactive order-independent
     /// transparency. 2001. Throws InputError unless both keep eye depth as float32.
@@ -49,6 +53,7 @@ class SceneRenderer {
         gl::Program program;
         GLint clip_from_view = -1;
         GLint previous_world_from_object = -1;
+        bool is_lit = false;
     };
     /// How a pass differs from that of the nearest surfaces.
     struct Pass {
@@ -59,10 +64,12 @@ class SceneRenderer {
 
     const Pipeline& get_pipeline(const PipelineKey& key);
     void clear(const GBuffer& gbuffer) const;
-    void set_lights(const Pipeline& pipeline, const Camera& camera) const; ///< those of m_lights
     /// Where everything is, and on the GPU what deforms.
     [[nodiscard]] FramePose pose_frame(const FrameView& view);
     void render(const GBuffer& gbuffer, const FrameView& view, const Pass& pass);
+    void draw_shadows(const FramePose& pose);
+    void draw_from_light(const LightView& light, const FramePose& pose, ChannelSet channels,
+                         GLuint framebuffer, ImageSize size);
     [[nodiscard]] VisibleSet find_visible(const FrameView& view, const FramePose& pose,
                                           const GBuffer& gbuffer, const Pass& pass,
                                           const glm::dmat4& projection);
@@ -76,7 +83,8 @@ class SceneRenderer {
     gl::ShaderLibrary m_library;
     SceneGeometry m_geometry;
     std::vector<gl::TextureHandle> m_textures;
-    Lights m_lights; ///< of the frame
+    SceneLights m_lights;
+    bool m_has_placed_light; ///< lights that need a surface's position: with shadow, or points
     SceneCuller m_culler;
     DrawList m_still;
     DrawList m_moving;

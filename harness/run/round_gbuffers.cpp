@@ -11,8 +11,8 @@ RoundGBuffers::RoundGBuffers(const gl::Functions& gl, const Scene& scene, ImageS
                              const Precision& precision, GBufferStore store, Audit audit,
                              std::string timer)
     : m_gl(gl), m_scene(scene), m_sphere(compute_bounding_sphere(scene)), m_size(size),
-      m_precision(precision), m_renderer(gl, scene), m_store(std::move(store)), m_audit(audit),
-      m_timer(std::move(timer)) {}
+      m_precision(precision), m_renderer(gl, scene), m_raster(m_renderer, m_sphere),
+      m_store(std::move(store)), m_audit(audit), m_timer(std::move(timer)) {}
 
 void RoundGBuffers::add(const GBufferKey& key) {
     if (m_gbuffers.contains(key)) {

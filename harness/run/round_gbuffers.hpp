@@ -1,7 +1,7 @@
 #pragma once
 // The G-buffers of a round: drawn, or loaded where an earlier run has left all of them.
 
-#include "core/frame/scene_renderer.hpp"
+#include "core/frame/raster.hpp"
 #include "harness/run/gbuffer_store.hpp"
 
 #include <map>
@@ -38,6 +38,11 @@ class RoundGBuffers {
 
     /// `view`, without border, as the key's part is drawn.
     [[nodiscard]] FrameView get_view(const GBufferKey& key, const FrameView& view) const;
+    /// Draws the shadow maps of the frame's direct light, which every G-buffer shares and whose
+    /// time is charged to none.
+    void prepare_shadows(const FrameView& view) { m_renderer.prepare_shadows(view); }
+    /// For methods; its frame is the caller's to set.
+    [[nodiscard]] SceneRaster& raster() { return m_raster; }
     /// Rasterises; a layer on top of the one before it, which is drawn as well unless it shows this
     /// frame. `view` is that of get_view, here and below.
     void draw(const GBufferKey& key, const FrameView& view);
@@ -77,6 +82,7 @@ class RoundGBuffers {
     ImageSize m_size;
     Precision m_precision;
     SceneRenderer m_renderer;
+    SceneRaster m_raster;
     GBufferStore m_store;
     Audit m_audit;
     std::string m_timer;

@@ -11,7 +11,7 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
                        const PlanRecord& plan, const RoundRecord& round, const Scene& scene)
     : m_context(context), m_units(units), m_plan(plan), m_round(round), m_scene(scene),
       m_timer(context.functions(), timer_mode), m_size{round.width, round.height},
-      m_compose(context.functions(), m_size),
+      m_compose(context.functions(), m_size), m_surroundings(context.functions()),
       m_gbuffers(context.functions(), scene, m_size, parse_precision(round.precision),
                  GBufferStore(get_cache_folder(), describe_drawing(context)),
                  {plan.audit_share, plan.audit_seed},
@@ -123,6 +123,8 @@ void RoundStage::set_frame(const FrameView& view) {
         shown = m_gbuffers.get_view(key, view);
     }
     m_lights = m_scene.compute_lights(view.time_s);
+    m_surroundings.update(m_lights);
+    m_gbuffers.raster().set_frame(view);
     const bool needs_geometry =
         std::any_of(m_cells.begin(), m_cells.end(),
                     [](const MethodCell& cell) { return cell.needs_geometry(); });
@@ -149,6 +151,8 @@ std::optional<std::int64_t> RoundStage::time_gbuffer(const GBufferKey& key) {
 }
 
 std::int64_t RoundStage::draw_gbuffer_timed(const GBufferKey& key) {
+    m_context.reset_state();
+    m_gbuffers.prepare_shadows(m_views.at(key));
     m_context.reset_state();
     gl().Finish();
     PassRecorder recorder(PassTiming::divided, &m_timer);
@@ -203,7 +207,7 @@ void RoundStage::store_gbuffers(const GBufferTimes& times_ns) {
     m_context.check_errors();
 }
 
-MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
+MethodInputs RoundStage::make_inputs(const MethodCell& cell) {
     const std::vector<GBufferKey> keys = list_keys(cell);
     MethodInputs inputs{m_views.at(keys.front()), m_gbuffers.get(keys.front())};
     for (const GBufferKey& key : keys) {
@@ -211,6 +215,8 @@ MethodInputs RoundStage::make_inputs(const MethodCell& cell) const {
     }
     inputs.geometry = cell.needs_geometry() ? &m_geometry : nullptr;
     inputs.lights = &m_lights;
+    inputs.surroundings = m_surroundings.look_through(inputs.view.camera);
+    inputs.raster = &m_gbuffers.raster();
     inputs.noise_seed = kRoundNoiseSeed;
     return inputs;
 }
@@ -262,8 +268,11 @@ void RoundStage::compose(const MethodCell* cell, const MethodOutput& output, Pas
         }
     }
     PassRecorder recorder(timing, &m_timer);
-    m_compose.render(*gbuffer, m_lights.ambient, output.visibility, output.radiance, recorder,
-                     pixel_depth);
+    const Camera& camera = m_views.at(kBaseGBuffer).camera;
+    // A method that gives both is shown by its radiance.
+    const gl::Texture* visibility = output.radiance != nullptr ? nullptr : output.visibility;
+    m_compose.render(*gbuffer, m_surroundings.look_through(camera), camera, visibility,
+                     output.radiance, recorder, pixel_depth);
 }
 
 } // namespace alcove

@@ -69,7 +69,7 @@ class RoundStage {
     [[nodiscard]] const RoundGBuffers& gbuffers() const { return m_gbuffers; }
     /// What the cell's method declares: its ordinary G-buffer first, then its parts in order.
     [[nodiscard]] static std::vector<GBufferKey> list_keys(const MethodCell& cell);
-    [[nodiscard]] MethodInputs make_inputs(const MethodCell& cell) const;
+    [[nodiscard]] MethodInputs make_inputs(const MethodCell& cell);
     /// What a frame asks for before it is shown: histories forgotten at a segment's start and at a
     /// cut, and converged where the frame is warmed.
     void prepare_histories(const RoundFrame& frame);
@@ -96,6 +96,7 @@ class RoundStage {
     gl::IntervalTimer m_timer;
     ImageSize m_size;
     Compose m_compose;
+    Surroundings m_surroundings;
     RoundGBuffers m_gbuffers;
     std::map<GBufferKey, FrameView> m_views; ///< this frame, as each G-buffer shows it
     std::vector<MethodCell> m_cells;

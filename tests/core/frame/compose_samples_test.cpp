@@ -40,10 +40,15 @@ class ComposeSamplesTest : public GlTest {
         m_depth = gl::read_texture(gl(), pixels.texture(Channel::eye_depth), 1);
         const gl::Texture visibility(gl(), GL_R32F, kSize);
         gl::write_texture(gl(), visibility, visibility_image);
+        Lights lights;
+        lights.ambient = glm::vec3(1.0f);
+        Surroundings surroundings(gl());
+        surroundings.update(lights);
         Compose compose(gl(), kSize);
         PassRecorder recorder(PassTiming::none);
         context().reset_state();
-        compose.render(samples, glm::vec3(1.0f), &visibility, nullptr, recorder,
+        compose.render(samples, surroundings.look_through(view.camera), view.camera, &visibility,
+                       nullptr, recorder,
                        takes_nearest ? &pixels.texture(Channel::eye_depth) : nullptr);
         context().check_errors();
         return gl::read_texture(gl(), compose.picture(), 3);

@@ -143,10 +143,15 @@ TEST_F(SceneRendererTest, ComposeIsDirectPlusAmbientTimesAlbedoTimesVisibility) 
     renderer.render(gbuffer, view);
     const gl::Texture visibility(gl(), GL_R32F, kSize);
     gl::write_texture(gl(), visibility, Image(kSize, 1, 0.25f));
+    Lights lights;
+    lights.ambient = glm::vec3(0.5f);
+    Surroundings surroundings(gl());
+    surroundings.update(lights);
     Compose compose(gl(), kSize);
     PassRecorder recorder(PassTiming::none);
     context().reset_state();
-    compose.render(gbuffer, glm::vec3(0.5f), &visibility, nullptr, recorder);
+    compose.render(gbuffer, surroundings.look_through(view.camera), view.camera, &visibility,
+                   nullptr, recorder);
     const Image picture = gl::read_texture(gl(), compose.picture(), 3);
     const Image albedo = gl::read_texture(gl(), gbuffer.texture(Channel::albedo), 3);
     const Image direct = gl::read_texture(gl(), gbuffer.texture(Channel::direct_light), 3);
