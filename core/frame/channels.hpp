@@ -27,10 +27,12 @@ inline constexpr std::array kChannels{
     ChannelInfo{Channel::eye_depth, "eye_depth", GL_R32F, "float", 1,
                 "positive distance along the view axis in metres; +infinity on the background"},
     ChannelInfo{Channel::normal, "normal", GL_RGBA16F, "vec4", 3,
-                "view-space unit shading normal, turned to the viewer; 0 on the background"},
+                "view-space unit shading normal, turned to the viewer; 0 on the background; a is 1 "
+                "where the surface is seen from behind"},
     ChannelInfo{Channel::albedo, "albedo", GL_RGBA16F, "vec4", 3, "linear Rec. 709 reflectance"},
     ChannelInfo{Channel::direct_light, "direct_light", GL_RGBA16F, "vec4", 3,
-                "reflected direct radiance, linear Rec. 709"},
+                "reflected direct radiance, linear Rec. 709; of deeper layers on the side that the "
+                "mesh's normal points to"},
     ChannelInfo{Channel::motion, "motion", GL_RGBA16F, "vec4", 3,
                 "object motion p_old - p_new in world axes, metres; exactly 0 for static points"},
     ChannelInfo{Channel::instance_id, "instance_id", GL_R32UI, "uint", 1,

@@ -40,17 +40,23 @@ void main() {
     out_eye_depth = eye_depth;
 #endif
 #ifdef WRITE_normal
-    out_normal = vec4(n, 0.0);
+    out_normal = vec4(n, gl_FrontFacing ? 0.0 : 1.0);
 #endif
 #ifdef WRITE_albedo
     out_albedo = vec4(albedo, 1.0);
 #endif
 #ifdef WRITE_direct_light
+#ifdef PEELED
+    // Behind the first layer it is the outside that is lit and may send light on.
+    vec3 lit = normalize(view_normal);
+#else
+    vec3 lit = n;
+#endif
 #ifdef HAS_PLACED_LIGHT
     vec3 facet = normalize(cross(dFdx(surface_position), dFdy(surface_position)));
-    vec3 irradiance = compute_irradiance(surface_position, n, facet);
+    vec3 irradiance = compute_irradiance(surface_position, lit, facet);
 #else
-    vec3 irradiance = compute_irradiance(vec3(0.0), n, n);
+    vec3 irradiance = compute_irradiance(vec3(0.0), lit, lit);
 #endif
     out_direct_light = vec4(irradiance * albedo * kInversePi, 1.0);
 #endif

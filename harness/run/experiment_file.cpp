@@ -155,10 +155,9 @@ class ExperimentReader {
     void add_scene(const TomlTable& table, const std::string& key, std::string spec,
                    const std::optional<FrameChoice>& frames) {
         table.with_place(key, [&] {
-            if (is_scene_file(spec)) {
-                spec = resolve_scene_file(
-                    spec, [&](const std::string& path) { return resolve_inside(m_folder, path); });
-            } else {
+            spec = resolve_scene_paths(
+                spec, [&](const std::string& path) { return resolve_inside(m_folder, path); });
+            if (!is_scene_file(spec)) {
                 static_cast<void>(choose_scene(m_units.scenes, spec));
             }
         });

@@ -312,13 +312,10 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     }
     ScenePlanner planner(experiment, units, record);
     for (const SceneChoice& choice : choose_scenes(experiment, units)) {
-        std::string name = choice.spec;
-        if (is_scene_file(name)) {
-            // A run may be continued from another folder.
-            name = resolve_scene_file(name, [](const std::string& path) {
-                return std::filesystem::absolute(path).lexically_normal();
-            });
-        }
+        // A run may be continued from another folder.
+        const std::string name = resolve_scene_paths(choice.spec, [](const std::string& path) {
+            return std::filesystem::absolute(path).lexically_normal();
+        });
         if (!is_scene_file(name)) {
             const SceneUnit unit = choose_scene(units.scenes, name).unit;
             if (const std::optional<std::string> obstacle = unit.find_obstacle()) {

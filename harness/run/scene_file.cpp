@@ -4,7 +4,7 @@
 #include "core/base/file.hpp"
 #include "core/base/hash.hpp"
 #include "core/base/nearest_name.hpp"
-#include "core/base/text.hpp"
+#include "harness/run/scene_light.hpp"
 #include "scenes/common/gltf_scene.hpp"
 #include "scenes/common/licence.hpp"
 #include "scenes/common/off_file.hpp"
@@ -38,31 +38,10 @@ std::size_t find_path_end(std::string_view spec) {
     return has_scene_extension(spec) ? spec.size() : std::min(spec.find(':'), spec.size());
 }
 
-std::vector<KeyValue> list_options(std::string_view spec) {
-    const std::size_t end = find_path_end(spec);
-    if (end == spec.size()) {
-        return {};
-    }
-    const std::string file(spec.substr(0, end));
-    std::vector<KeyValue> options = parse_key_values(spec.substr(end + 1), file);
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        const std::string& key = options[i].key;
-        if (std::find(kKeys.begin(), kKeys.end(), key) == kKeys.end()) {
-            throw InputError(file, "unknown key", key, describe_choices(key, kKeys));
-        }
-        for (std::size_t k = 0; k < i; ++k) {
-            if (options[k].key == key) {
-                throw InputError(file, "key stands twice", key);
-            }
-        }
-    }
-    return options;
-}
-
 GltfOptions parse_options(std::string_view spec) {
     constexpr std::int64_t kMostAnimations = 1'000'000;
     GltfOptions options;
-    for (const KeyValue& option : list_options(spec)) {
+    for (const KeyValue& option : list_scene_file_options(spec)) {
         const std::string where = get_scene_file(spec) + ": " + option.key;
         if (option.key == "walkthrough") {
             options.walkthrough = option.value;
@@ -72,7 +51,7 @@ GltfOptions parse_options(std::string_view spec) {
                 throw InputError(where, "out of range", option.value, "0 or more");
             }
             options.animation = static_cast<int>(index);
-        } else {
+        } else if (option.key == "ao_radius") {
             options.ao_radius_m = parse_number(option.value, where);
             if (!(*options.ao_radius_m > 0.0) || !std::isfinite(*options.ao_radius_m)) {
                 throw InputError(where, "out of range", option.value,
@@ -108,15 +87,41 @@ std::string get_scene_file(std::string_view spec) {
     return std::string(spec.substr(0, find_path_end(spec)));
 }
 
+std::vector<KeyValue> list_scene_file_options(std::string_view spec) {
+    const std::size_t end = find_path_end(spec);
+    if (end == spec.size()) {
+        return {};
+    }
+    const std::string file(spec.substr(0, end));
+    std::vector<KeyValue> options = parse_key_values(spec.substr(end + 1), file);
+    std::vector<std::string> keys = list_lighting_keys();
+    keys.insert(keys.end(), kKeys.begin(), kKeys.end());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const std::string& key = options[i].key;
+        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+            throw InputError(file, "unknown key", key, describe_choices(key, keys));
+        }
+        for (std::size_t k = 0; k < i; ++k) {
+            if (options[k].key == key) {
+                throw InputError(file, "key stands twice", key);
+            }
+        }
+    }
+    return options;
+}
+
 std::string
 resolve_scene_file(std::string_view spec,
                    const std::function<std::filesystem::path(const std::string&)>& resolve) {
-    static_cast<void>(parse_options(spec)); // a wrong value shows before anything runs
+    // A wrong value shows before anything runs.
+    static_cast<void>(parse_options(spec));
+    static_cast<void>(read_lighting(list_scene_file_options(spec), get_scene_file(spec)));
     std::string resolved = resolve(get_scene_file(spec)).string();
     char separator = ':';
-    for (const KeyValue& option : list_options(spec)) {
-        const std::string value =
-            option.key == "walkthrough" ? resolve(option.value).string() : option.value;
+    for (const KeyValue& option : list_scene_file_options(spec)) {
+        const std::string value = option.key == "walkthrough"
+                                      ? resolve(option.value).string()
+                                      : resolve_lighting_value(option, resolve);
         if (value.find(',') != std::string::npos) {
             throw InputError(get_scene_file(spec) + ": " + option.key,
                              "a path with a comma cannot be told from options", value);

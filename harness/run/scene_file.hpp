@@ -1,6 +1,7 @@
 #pragma once
 // Anybody's scene: a .gltf, .glb or .off file by its path, with options.
 
+#include "core/base/text.hpp"
 #include "core/contract/scene.hpp"
 
 #include <filesystem>
@@ -19,10 +20,14 @@ namespace alcove {
 /// The path in a specification of a file.
 [[nodiscard]] std::string get_scene_file(std::string_view spec);
 
-/// "FILE[:walkthrough=W.json,animation=I,ao_radius=R]" with every path passed through `resolve`:
-/// against the current folder on the command line, inside the experiment's folder in TOML. Throws
-/// InputError naming file and key on unknown keys (with the nearest), keys that stand twice and
-/// values that are no numbers in range.
+/// Its options, lighting among them. Throws InputError on unknown keys (with the nearest) and keys
+/// that stand twice.
+[[nodiscard]] std::vector<KeyValue> list_scene_file_options(std::string_view spec);
+
+/// "FILE[:walkthrough=W.json,animation=I,ao_radius=R,LIGHTING]" with every path passed through
+/// `resolve`: against the current folder on the command line, inside the experiment's folder in
+/// TOML. Throws InputError naming file and key on unknown keys (with the nearest), keys that stand
+/// twice and values that are no numbers in range.
 [[nodiscard]] std::string
 resolve_scene_file(std::string_view spec,
                    const std::function<std::filesystem::path(const std::string&)>& resolve);

@@ -8,6 +8,7 @@
 namespace alcove {
 
 inline constexpr const char* kMattausch2010 = "Mattausch et al. 2010";
+inline constexpr const char* kRitschel2009 = "Ritschel et al. 2009";
 
 template <class P>
 [[nodiscard]] ParameterBuilder describe_radius(double P::*field) {
@@ -69,6 +70,34 @@ template <class P>
         .meaning("Depth bias along the receiver's tangent plane; 1 is exact for planes at any "
                  "tilt.")
         .source("ours");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_tile(int P::*field) {
+    return integer(field, "tile")
+        .range(1, 4)
+        .rebuild()
+        .unit("px")
+        .meaning("Side of the tile whose pixels take different sets of samples; M = tile^2.")
+        .source(kRitschel2009);
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_fade(double P::*field) {
+    return real(field, "fade")
+        .range(0.0, 0.99)
+        .unit("r")
+        .symbol("f")
+        .meaning("Distance from which blockers fade, by a smooth step that ends at the radius.")
+        .source("Ritschel et al. 2009; value ours");
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_tile_blur(bool P::*field) {
+    return boolean(field, "blur")
+        .rebuild()
+        .meaning("The mean over a tile, along surfaces.")
+        .source(kRitschel2009);
 }
 
 template <class P>
