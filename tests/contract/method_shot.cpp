@@ -24,6 +24,7 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
         inputs.lights = &lights;
         inputs.noise_seed = kSeed;
         inputs.wants_history_state = settings.wants_history_state;
+        inputs.wants_visibility = true;
         if (settings.between != nullptr) {
             PassRecorder ignored(PassTiming::none);
             static_cast<void>(settings.between->render(inputs, ignored));
