@@ -78,6 +78,8 @@ struct MethodInputs {
     /// Asks for MethodOutput::history_state. Never set while times are taken, and must not change
     /// the images.
     bool wants_history_state = false;
+    /// Asks a method that gives radiance for its visibility beside it; never while times are taken.
+    bool wants_visibility = false;
 };
 
 /// What it leaves. Textures stay the method's and hold until the next call. Not both images null.

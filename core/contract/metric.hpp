@@ -123,7 +123,11 @@ struct MetricUnit {
     std::string content_hash;   ///< filled by the registry
     bool reported = true;       ///< false for the template
     bool on_demand = false;     ///< a run measures it only where it is named
+    /// Of an on-demand metric: a run that has a target of radiance measures it unasked.
+    bool is_of_pictures = false;
     ParameterTable parameters;
+    /// Has a value only of images of three channels.
+    bool needs_colour = false;
     /// Has a value only where MetricInput::depth is given.
     bool needs_depth = false;
     /// Looks at the test alone, so that truth may have any value.

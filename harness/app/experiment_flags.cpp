@@ -82,11 +82,12 @@ void ExperimentFlags::add_to(CLI::App& app) {
     app.add_option("--most-repeats", most_repeats,
                    "with --until-width: repeats a round, whatever the width; default 192");
     app.add_option("--target", target,
-                   "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform");
-    app.add_option(
-        "--reference", reference,
-        "what errors are measured against: M[@PRESET][:key=value,...][#label]; default "
-        "reference_ray_traced. tssao@reference_480 is what its estimator can do at most");
+                   "radius=R,falloff=none|linear|quadratic,weighting=cosine|uniform,"
+                   "output=visibility|radiance,reach=near|full");
+    app.add_option("--reference", reference,
+                   "what errors are measured against: M[@PRESET][:key=value,...][#label]; default "
+                   "reference_ray_traced, of radiance reference_path_traced. tssao@reference_480 "
+                   "is what its estimator can do at most");
     app.add_flag("--warm", warm,
                  "with --frames A:B: hold the pose of A until histories have converged");
     app.add_option("--precision", precision,
@@ -102,6 +103,9 @@ void ExperimentFlags::add_to(CLI::App& app) {
     app.add_flag("--strata", strata,
                  "image metrics also over depth edges, creases, three ranges of viewing angle, "
                  "moving objects and dark values");
+    app.add_option("--regions", regions,
+                   "OBJECT,...: image metrics also over the surface of each of these objects of "
+                   "the scene");
     app.add_option("--effects", effects, "all (default), or auto: only what the scene calls for");
 }
 
@@ -155,6 +159,9 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
     }
     experiment.explains_errors = experiment.explains_errors || flags.explain_errors;
     experiment.measures_strata = experiment.measures_strata || flags.strata;
+    if (flags.regions) {
+        experiment.regions = split(*flags.regions, ',');
+    }
     if (flags.effects) {
         experiment.effects = parse_effects_choice(*flags.effects);
     }

@@ -36,6 +36,7 @@ struct ExperimentFlags {
     std::optional<std::string> settings;
     bool explain_errors = false;
     bool strata = false;
+    std::optional<std::string> regions;
     std::optional<double> audit;
 
     /// The flags must outlive the parsing.

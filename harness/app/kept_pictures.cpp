@@ -35,12 +35,13 @@ KeptPictures list_kept_pictures(const RunFolder& run) {
             ++kept.unfinished_rounds;
             continue;
         }
+        const std::string measured = measures_pictures(round) ? "picture" : "visibility";
         std::vector<int> film(static_cast<std::size_t>(round.film.end - round.film.begin));
         std::iota(film.begin(), film.end(), round.film.begin);
         for (const CellRecord& cell : round.cells) {
             if (cell.role == CellRole::method) {
-                add_frames(run, round, cell, "visibility", round.image_frames, kept);
-                add_frames(run, round, cell, "film_visibility", film, kept);
+                add_frames(run, round, cell, measured, round.image_frames, kept);
+                add_frames(run, round, cell, "film_" + measured, film, kept);
             }
         }
     }

@@ -1,5 +1,6 @@
 #pragma once
-// The visibilities that a run folder kept, each with the reference's.
+// The measured images that a run folder kept, each with the reference's: visibilities, or the
+// pictures of rounds of radiance.
 
 #include "reports/record/record.hpp"
 
@@ -11,7 +12,7 @@ struct KeptPicture {
     std::string cell; ///< its id
     std::string label;
     int frame = 0;
-    std::string picture; ///< "visibility" or "film_visibility"
+    std::string picture; ///< "visibility" or "picture", or one of a film: "film_visibility"
     std::filesystem::path test;
     std::filesystem::path reference;
 };

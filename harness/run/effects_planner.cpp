@@ -41,8 +41,9 @@ std::string describe_count(const std::string& what, const Count& count) {
 
 } // namespace
 
-std::vector<EffectRecord>
-plan_effects(const Scene& scene, const std::vector<SegmentRecord>& segments, bool asks_for_bounce) {
+std::vector<EffectRecord> plan_effects(const Scene& scene,
+                                       const std::vector<SegmentRecord>& segments,
+                                       bool measures_pictures) {
     Count objects;
     Count camera;
     constexpr ImageSize kAnySize{1, 1};
@@ -73,9 +74,9 @@ plan_effects(const Scene& scene, const std::vector<SegmentRecord>& segments, boo
             decision.evidence = objects.moved > 0 ? objects_text : camera_text;
             break;
         case Effect::light_buffers:
-            decision.is_needed = asks_for_bounce;
+            decision.is_needed = measures_pictures;
             decision.evidence =
-                asks_for_bounce ? "a method gives radiance" : "every method gives visibility alone";
+                measures_pictures ? "the target is radiance" : "the target is visibility";
             break;
         }
         decisions.push_back(std::move(decision));

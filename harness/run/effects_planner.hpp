@@ -10,10 +10,10 @@
 namespace alcove {
 
 /// One decision an effect, with what it was seen from. Looks at every replayed frame and the one
-/// before it, where its history is valid. `asks_for_bounce`: a method of the round gives radiance
-/// from the scene's light.
-[[nodiscard]] std::vector<EffectRecord>
-plan_effects(const Scene& scene, const std::vector<SegmentRecord>& segments, bool asks_for_bounce);
+/// before it, where its history is valid. `measures_pictures`: the round's target is radiance.
+[[nodiscard]] std::vector<EffectRecord> plan_effects(const Scene& scene,
+                                                     const std::vector<SegmentRecord>& segments,
+                                                     bool measures_pictures);
 
 /// The effects that the decisions keep.
 [[nodiscard]] EffectSet choose_effects(const std::vector<EffectRecord>& decisions);

@@ -37,11 +37,13 @@ double time_cell(RoundStage& stage, MethodCell& cell) {
 
 Image take_image(RoundStage& stage, MethodCell& cell) {
     stage.render_gbuffers(RoundStage::list_keys(cell));
+    if (stage.measures_pictures()) {
+        stage.render_gbuffer(kBaseGBuffer);
+    }
     CellTimes times;
     const MethodOutput output =
-        cell.render(stage.make_inputs(cell), PassTiming::none, stage.timer(), times);
-    ALCOVE_ASSERT(output.visibility != nullptr, "methods so far give visibility");
-    return gl::read_texture(stage.gl(), *output.visibility, 1);
+        cell.render(stage.make_measured_inputs(cell), PassTiming::none, stage.timer(), times);
+    return stage.read_measured(cell, output);
 }
 
 double find_largest_difference(const Image& a, const Image& b) {

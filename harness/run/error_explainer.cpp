@@ -117,13 +117,11 @@ std::vector<Image> ErrorExplainer::take_images(MethodCell& cell, std::uint32_t s
     std::vector<Image> images;
     for (const Frame& frame : m_frames) {
         m_stage.warm_up(cell, frame.frame.view);
-        MethodInputs inputs = m_stage.make_inputs(cell);
+        MethodInputs inputs = m_stage.make_measured_inputs(cell);
         inputs.noise_seed = seed;
         CellTimes times;
         const MethodOutput output = cell.render(inputs, PassTiming::none, m_stage.timer(), times);
-        ALCOVE_ASSERT(output.visibility != nullptr, "methods so far give visibility");
-        images.push_back(gl::read_texture(m_stage.gl(), *output.visibility, 1));
-        m_stage.context().check_errors();
+        images.push_back(m_stage.read_measured(cell, output));
     }
     return images;
 }

@@ -18,7 +18,8 @@ inline constexpr std::array kThicknesses{0.0625, 0.125, 0.25, 0.5, 1.0, 2.0, 4.0
 
 class ErrorExplainer {
   public:
-    /// Behind the capture. Results go to `done`, pictures below `run_folder`; all must outlive it.
+    /// Behind the capture of a round of visibility. Results go to `done`, pictures below
+    /// `run_folder`; all must outlive it.
     ErrorExplainer(RoundStage& stage, RoundDone& done, std::filesystem::path run_folder);
 
     /// Nothing where the round has no single frames or no method.

@@ -1,5 +1,7 @@
 #include "harness/run/error_map.hpp"
 
+#include "core/base/domain.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,10 +14,12 @@ Image make_error_map(const Image& test, const Image& reference, float range) {
     constexpr std::array<float, 3> kZero{0.92f, 0.92f, 0.92f};
     constexpr std::array<float, 3> kTooDark{0.70f, 0.06f, 0.14f};
     constexpr std::array<float, 3> kTooBright{0.08f, 0.28f, 0.72f};
+    const Image test_luma = compute_luma(test);
+    const Image reference_luma = compute_luma(reference);
     Image map(test.size(), 3);
     for (int y = 0; y < map.height(); ++y) {
         for (int x = 0; x < map.width(); ++x) {
-            const float error = test.at(x, y) - reference.at(x, y);
+            const float error = test_luma.at(x, y) - reference_luma.at(x, y);
             const auto& end = error < 0.0f ? kTooDark : kTooBright;
             // The square root lifts small errors, which are the most frequent.
             const float weight = std::sqrt(std::min(std::abs(error) / range, 1.0f));

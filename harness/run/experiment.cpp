@@ -92,6 +92,14 @@ EffectsChoice parse_effects_choice(std::string_view text) {
     throw InputError("--effects", "unknown choice", text, describe_choices(text, names));
 }
 
+MethodSpec get_default_reference(const Target& target) {
+    MethodSpec spec;
+    spec.method =
+        target.output == TargetOutput::radiance ? "reference_path_traced" : "reference_ray_traced";
+    spec.label = spec.method;
+    return spec;
+}
+
 void check_repeats(const Experiment& experiment, const RepeatOptionNames& options) {
     const auto check = [](bool fits, const std::string& option, const std::string& found,
                           const std::string& expected) {

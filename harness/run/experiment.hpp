@@ -3,6 +3,7 @@
 
 #include "core/base/image.hpp"
 #include "core/base/parameters.hpp"
+#include "core/base/target.hpp"
 #include "core/frame/precision.hpp"
 #include "core/gl/context.hpp"
 
@@ -87,12 +88,14 @@ struct Experiment {
     std::optional<double> until_width;
     std::optional<double> time_limit_s; ///< of a round's timing replays; only with until_width
     std::optional<int> most_repeats;    ///< only with until_width
-    /// What errors are measured against.
-    MethodSpec reference = {"reference_ray_traced", "default", {}, "reference_ray_traced"};
+    /// What errors are measured against; nothing: get_default_reference of each target.
+    std::optional<MethodSpec> reference;
     int reference_rays_per_half = 32;
     std::vector<std::string> metrics; ///< parse_metric_spec; empty: list_default_metrics
     /// Image metrics also over parts of a frame (strata.hpp).
     bool measures_strata = false;
+    /// Names of objects of every scene: image metrics also over the surface of each.
+    std::vector<std::string> regions;
     /// Errors of single frames taken apart (DESIGN 3.7), and the best monotone curve of a method.
     bool explains_errors = false;
     std::uint64_t shuffle_seed = 1;
@@ -100,6 +103,10 @@ struct Experiment {
     std::uint64_t audit_seed = 1; ///< chooses which
     std::string command_line;     ///< for the record
 };
+
+/// What errors under a target are measured against where nothing is named: ray-traced visibility,
+/// or path-traced radiance.
+[[nodiscard]] MethodSpec get_default_reference(const Target& target);
 
 /// 1 to this many timing replays.
 inline constexpr int kMostRepeats = 10000;

@@ -79,6 +79,9 @@ class ExperimentReader {
         if (const auto strata = m_root.get_boolean("strata")) {
             m_experiment.measures_strata = *strata;
         }
+        if (const auto regions = m_root.get_strings("regions")) {
+            m_experiment.regions = *regions;
+        }
         if (const auto reference = m_root.get_string("reference")) {
             m_root.with_place("reference",
                               [&] { m_experiment.reference = read_spec(*reference, "reference"); });

@@ -32,7 +32,7 @@ MetricSpec parse_metric_spec(std::string_view text, std::string_view where) {
 ResolvedMetric resolve_metric(const Registry<MetricUnit>& metrics, const MetricSpec& spec) {
     const MetricUnit& unit = metrics.find(spec.name);
     if (unit.is_temporal() && spec.domain) {
-        throw InputError(spec.text, "a metric over time runs on linear visibility",
+        throw InputError(spec.text, "a metric over time runs on linear values",
                          "@" + std::string(to_text(*spec.domain)), "no domain");
     }
     ResolvedMetric resolved{&unit, spec.domain.value_or(unit.domain),
@@ -57,10 +57,12 @@ void check_metric_specs(const Registry<MetricUnit>& metrics, const std::vector<s
     }
 }
 
-std::vector<std::string> list_default_metrics(const Registry<MetricUnit>& metrics) {
+std::vector<std::string> list_default_metrics(const Registry<MetricUnit>& metrics,
+                                              bool has_pictures) {
     std::vector<std::string> names;
     for (const MetricUnit& unit : metrics.units()) {
-        if (unit.reported && !unit.on_demand) {
+        const bool is_wanted = !unit.on_demand || (has_pictures && unit.is_of_pictures);
+        if (unit.reported && is_wanted) {
             names.push_back(unit.name);
         }
     }

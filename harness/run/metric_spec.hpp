@@ -38,7 +38,9 @@ struct ResolvedMetric {
 void check_metric_specs(const Registry<MetricUnit>& metrics, const std::vector<std::string>& texts,
                         std::string_view where);
 
-/// What runs measure where nothing is named: all that are reported and not on demand.
-[[nodiscard]] std::vector<std::string> list_default_metrics(const Registry<MetricUnit>& metrics);
+/// What runs measure where nothing is named: all that are reported and not on demand, and those of
+/// pictures where a target of the run is radiance.
+[[nodiscard]] std::vector<std::string> list_default_metrics(const Registry<MetricUnit>& metrics,
+                                                            bool has_pictures);
 
 } // namespace alcove

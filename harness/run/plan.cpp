@@ -86,10 +86,22 @@ MetricDescription describe_metric(const Units& units, const std::string& text) {
             unit.direction == Direction::lower_is_better};
 }
 
+/// Strata and regions that the experiment asks for.
+std::vector<StratumInfo> choose_strata(const Experiment& experiment) {
+    std::vector<StratumInfo> strata;
+    if (experiment.measures_strata) {
+        strata = list_strata();
+    }
+    for (const std::string& object : experiment.regions) {
+        strata.push_back(describe_region(object));
+    }
+    return strata;
+}
+
 /// Every image metric of the plan over every stratum, and how many pixels that has.
-void describe_strata(PlanRecord& record) {
+void describe_strata(const std::vector<StratumInfo>& strata, PlanRecord& record) {
     const std::vector<MetricDescription> metrics = record.metrics;
-    for (const StratumInfo& stratum : list_strata()) {
+    for (const StratumInfo& stratum : strata) {
         record.metrics.push_back({make_pixels_column(stratum.name), "Pixels: " + stratum.title,
                                   "px", "Pixels of the stratum: " + stratum.definition + ".",
                                   "what is measured there", "values", std::string(kStratumKind),
@@ -119,8 +131,11 @@ void describe_units(const Experiment& experiment, const Units& units, PlanRecord
         const MethodUnit& unit = units.methods.find(name);
         record.methods.push_back({unit.name, unit.title, unit.citation, unit.content_hash});
     }
-    const std::vector<std::string> metrics =
-        experiment.metrics.empty() ? list_default_metrics(units.metrics) : experiment.metrics;
+    const bool has_pictures =
+        std::any_of(record.rounds.begin(), record.rounds.end(), measures_pictures);
+    const std::vector<std::string> metrics = experiment.metrics.empty()
+                                                 ? list_default_metrics(units.metrics, has_pictures)
+                                                 : experiment.metrics;
     check_metric_specs(units.metrics, metrics, "metrics");
     for (const std::string& text : metrics) {
         record.metrics.push_back(describe_metric(units, text));
@@ -129,9 +144,7 @@ void describe_units(const Experiment& experiment, const Units& units, PlanRecord
         record.metrics.push_back({number.name, number.title, number.unit, number.definition,
                                   "whether the history was right", "values", "history", true});
     }
-    if (experiment.measures_strata) {
-        describe_strata(record);
-    }
+    describe_strata(choose_strata(experiment), record);
 }
 
 /// Every method with every kind of settings that it can have.
@@ -166,6 +179,7 @@ class ScenePlanner {
     void add(const std::string& name, const Scene& scene, const FrameChoice& frames) {
         Target base;
         base.radius_m = scene.get_ao_radius_m();
+        check_regions(m_experiment.regions, scene.get_objects(), "regions of " + name);
         for (const std::string& target : m_experiment.targets) {
             for (const ImageSize size : m_experiment.sizes) {
                 for (const Precision& precision : m_experiment.precisions) {
@@ -180,6 +194,11 @@ class ScenePlanner {
   private:
     void add_combination(const std::string& name, const Scene& scene, const FrameChoice& frames,
                          const Target& target, ImageSize size, const Precision& precision) {
+        const bool is_radiance = target.output == TargetOutput::radiance;
+        if (is_radiance && m_experiment.explains_errors) {
+            throw InputError("explain errors", "takes visibility apart", describe(target),
+                             "a target without output=radiance");
+        }
         RoundRecord round;
         round.scene = name;
         round.walkthrough = scene.get_walkthrough().name;
@@ -193,12 +212,12 @@ class ScenePlanner {
         round.image_frames = choose_image_frames(round.segments);
         round.film = choose_film(round.segments);
         round.events = list_events(scene.get_walkthrough());
-        round.reference = make_cell_record(m_units.methods.find(m_experiment.reference.method),
-                                           m_experiment.reference, target, scene.get_ao_radius_m());
+        const MethodSpec reference = m_experiment.reference.value_or(get_default_reference(target));
+        round.reference = make_cell_record(m_units.methods.find(reference.method), reference,
+                                           target, scene.get_ao_radius_m());
         round.reference.id = "reference";
         if (m_experiment.effects == EffectsChoice::automatic) {
-            // No method asks for a bounce yet: all give visibility.
-            round.effects = plan_effects(scene, round.segments, false);
+            round.effects = plan_effects(scene, round.segments, is_radiance);
         }
         const SceneSize scene_size = count_size(scene);
         round.scene_vertices = scene_size.vertices;

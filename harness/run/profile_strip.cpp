@@ -1,25 +1,29 @@
 #include "harness/run/profile_strip.hpp"
 
+#include <algorithm>
+
 namespace alcove {
 
-void ProfileStrip::add(const Image& visibility) {
-    ALCOVE_ASSERT(visibility.channels() == 1, "visibility");
-    const auto width = static_cast<std::size_t>(visibility.width());
-    ALCOVE_ASSERT(m_rows.empty() || m_rows.front().size() == width, "frames of one size");
-    const auto row = visibility.values().subspan(
-        static_cast<std::size_t>(visibility.height() / 2) * width, width);
-    m_rows.emplace_back(row.begin(), row.end());
+void ProfileStrip::add(const Image& image) {
+    ALCOVE_ASSERT(m_rows.empty() || (m_rows.front().width() == image.width() &&
+                                     m_rows.front().channels() == image.channels()),
+                  "frames of one shape");
+    Image row({image.width(), 1}, image.channels());
+    const std::size_t count = row.values().size();
+    const auto middle =
+        image.values().subspan(static_cast<std::size_t>(image.height() / 2) * count, count);
+    std::copy(middle.begin(), middle.end(), row.values().begin());
+    m_rows.push_back(std::move(row));
 }
 
 Image ProfileStrip::make_image() const {
     ALCOVE_ASSERT(!m_rows.empty(), "a frame to show");
-    const ImageSize size{static_cast<int>(m_rows.front().size()),
-                         kFrameHeight * static_cast<int>(m_rows.size())};
-    Image image(size, 1);
-    for (int y = 0; y < size.height; ++y) {
-        const std::vector<float>& row = m_rows[static_cast<std::size_t>(y / kFrameHeight)];
-        for (int x = 0; x < size.width; ++x) {
-            image.at(x, y) = row[static_cast<std::size_t>(x)];
+    Image image({m_rows.front().width(), kFrameHeight * static_cast<int>(m_rows.size())},
+                m_rows.front().channels());
+    auto out = image.values().begin();
+    for (const Image& row : m_rows) {
+        for (int i = 0; i < kFrameHeight; ++i) {
+            out = std::copy(row.values().begin(), row.values().end(), out);
         }
     }
     return image;

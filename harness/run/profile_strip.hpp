@@ -11,16 +11,16 @@ class ProfileStrip {
     /// Pixels that each frame is high, so that a short film can be seen.
     static constexpr int kFrameHeight = 4;
 
-    /// Takes the middle row (height / 2) of a one-channel image. Asserts one size from clear to
-    /// clear.
-    void add(const Image& visibility);
+    /// Takes the middle row (height / 2) of an image. Asserts one width and number of channels from
+    /// clear to clear.
+    void add(const Image& image);
     void clear() { m_rows.clear(); }
     [[nodiscard]] bool is_empty() const { return m_rows.empty(); }
     /// Values as they were given; the first frame on top. Asserts that there is a frame.
     [[nodiscard]] Image make_image() const;
 
   private:
-    std::vector<std::vector<float>> m_rows;
+    std::vector<Image> m_rows; ///< one pixel high
 };
 
 } // namespace alcove

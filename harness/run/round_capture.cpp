@@ -1,5 +1,6 @@
 #include "harness/run/round_capture.hpp"
 
+#include "core/base/domain.hpp"
 #include "core/base/hash.hpp"
 #include "harness/run/wall_time.hpp"
 
@@ -15,6 +16,16 @@ bool begins_sequence(const RoundFrame& frame) {
     return frame.is_warmed || !frame.view.history_valid;
 }
 
+/// Luminance is linear in the channels: halves stay independent and free of bias.
+Truth make_luma(const Truth& truth) {
+    Truth luma;
+    luma.mean = compute_luma(truth.mean);
+    if (truth.halves) {
+        luma.halves = {compute_luma(truth.halves->a), compute_luma(truth.halves->b), 0};
+    }
+    return luma;
+}
+
 } // namespace
 
 RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vector<MetricRow>& rows,
@@ -23,8 +34,8 @@ RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vect
       m_pictures(stage, done, std::move(run_folder)), m_truth(make_truth_source(stage)),
       m_sequence(stage), m_cells(stage.cells().size()),
       m_has_singles(!stage.list_singles().empty()) {
+    choose_strata();
     for (const MetricDescription& metric : stage.plan().metrics) {
-        m_has_strata = m_has_strata || metric.kind == kStratumKind;
         if (metric.kind == "history" || metric.kind == kStratumKind) {
             continue; // no unit: numbers that histories carry, and other metrics' values over parts
         }
@@ -37,6 +48,24 @@ RoundCapture::RoundCapture(RoundStage& stage, const RoundReuse& reuse, std::vect
         }
         for (CellSequence& cell : m_cells) {
             cell.metrics.push_back({metric.name, resolved.unit, resolved.create_temporal()});
+        }
+    }
+}
+
+void RoundCapture::choose_strata() {
+    const auto has_column = [this](const std::string& name) {
+        const std::vector<MetricDescription>& metrics = m_stage.plan().metrics;
+        return std::any_of(metrics.begin(), metrics.end(),
+                           [column = make_pixels_column(name)](const MetricDescription& metric) {
+                               return metric.name == column;
+                           });
+    };
+    m_has_strata = has_column(list_strata().front().name);
+    for (const Object& object : m_stage.scene().get_objects()) {
+        const bool is_known =
+            std::find(m_regions.begin(), m_regions.end(), object.name) != m_regions.end();
+        if (!is_known && has_column(object.name)) {
+            m_regions.push_back(object.name);
         }
     }
 }
@@ -90,13 +119,17 @@ void RoundCapture::capture_frame(std::size_t index) {
     const SegmentRecord& film = m_stage.round().film;
     const std::vector<int>& kept = m_stage.round().image_frames;
     const bool is_in_sequence = !is_single(frame);
+    const std::optional<Truth> own_luma =
+        m_stage.measures_pictures() ? std::optional(make_luma(truth)) : std::nullopt;
+    const Truth& luma = own_luma ? *own_luma : truth;
     if (is_in_sequence) {
         const WallTime wall(m_done.temporal_s);
-        m_sequence.add(frame.view, truth);
+        m_sequence.add(frame.view, luma);
     }
     const Geometry geometry =
-        make_geometry(frame.view, truth, is_in_sequence ? &m_sequence.surfaces() : nullptr);
-    Shot shot{frame, SampleState::cold, truth, geometry, is_in_sequence, ends, false, false, false};
+        make_geometry(frame.view, luma, is_in_sequence ? &m_sequence.surfaces() : nullptr);
+    Shot shot{frame, SampleState::cold, truth, luma, geometry, is_in_sequence, ends, false, false,
+              false};
     // A frame that stands in the film's burst and as a single is filmed once.
     shot.is_film =
         shot.is_in_sequence && frame.view.index >= film.begin && frame.view.index < film.end;
@@ -131,7 +164,7 @@ void RoundCapture::capture_frame(std::size_t index) {
         }
         // A method with history keeps its converged picture, the one that its table speaks of.
         if (shot.keeps_pictures && (cell.record().warm_frames == 0 || !m_has_singles)) {
-            m_pictures.write_cell(cell, shot.frame.view.index, images.visibility, output, truth);
+            m_pictures.write_cell(cell, shot.frame.view.index, images.measured, output, truth);
         }
     }
 }
@@ -147,35 +180,38 @@ void RoundCapture::capture_converged(const RoundFrame& single) {
     }
     // Truth first: its source may use the stage.
     const Truth truth = get_truth(single.view);
-    if (m_needs_depth || m_has_strata) {
+    const std::optional<Truth> own_luma =
+        m_stage.measures_pictures() ? std::optional(make_luma(truth)) : std::nullopt;
+    const Truth& luma = own_luma ? *own_luma : truth;
+    if (needs_surfaces()) {
         m_stage.set_frame(held.view);
     }
-    const Geometry geometry = make_geometry(held.view, truth, nullptr);
+    const Geometry geometry = make_geometry(held.view, luma, nullptr);
     for (MethodCell& cell : m_stage.cells()) {
         if (!converges(cell)) {
             continue;
         }
-        Shot shot{held, SampleState::converged, truth, geometry, false, false, false, false, false};
+        Shot shot{held, SampleState::converged, truth, luma, geometry, false, false, false, false,
+                  false};
         shot.keeps_pictures = std::find(kept.begin(), kept.end(), single.view.index) != kept.end();
         {
             const WallTime wall(m_done.passes_s);
             m_stage.warm_up(cell, single.view);
-            m_stage.render_gbuffer(kBaseGBuffer);
         }
         MethodOutput output;
         const CellImages images = take_images(cell, output);
         measure_images(cell, images, shot);
         add_history_rows(cell, images, shot, nullptr);
         if (shot.keeps_pictures) {
-            m_pictures.write_cell(cell, shot.frame.view.index, images.visibility, output, truth);
+            m_pictures.write_cell(cell, shot.frame.view.index, images.measured, output, truth);
         }
     }
 }
 
-RoundCapture::Geometry RoundCapture::make_geometry(const FrameView& view, const Truth& truth,
+RoundCapture::Geometry RoundCapture::make_geometry(const FrameView& view, const Truth& luma,
                                                    const SurfaceImages* surfaces) {
     Geometry geometry;
-    if (!m_needs_depth && !m_has_strata) {
+    if (!needs_surfaces()) {
         return geometry;
     }
     const WallTime wall(m_done.metrics_s);
@@ -187,27 +223,33 @@ RoundCapture::Geometry RoundCapture::make_geometry(const FrameView& view, const 
         geometry.eye_depth = surfaces->eye_depth;
     }
     if (m_has_strata) {
-        geometry.strata =
-            make_strata(*surfaces, truth.mean, glm::vec2(compute_tangents(view.camera, view.size)));
+        std::vector<Image> masks =
+            make_strata(*surfaces, luma.mean, glm::vec2(compute_tangents(view.camera, view.size)));
+        for (std::size_t i = 0; i < masks.size(); ++i) {
+            geometry.strata.push_back({list_strata()[i].name, std::move(masks[i])});
+        }
+    }
+    for (const std::string& name : m_regions) {
+        geometry.strata.push_back(
+            {name, make_region(surfaces->instance_id, m_stage.scene().get_objects(), name)});
     }
     return geometry;
 }
 
 RoundCapture::CellImages RoundCapture::take_images(MethodCell& cell, MethodOutput& output) {
     const WallTime wall(m_done.passes_s);
-    MethodInputs inputs = m_stage.make_inputs(cell);
+    MethodInputs inputs = m_stage.make_measured_inputs(cell);
     inputs.wants_history_state = true;
     CellTimes times;
     output = cell.render(inputs, PassTiming::none, m_stage.timer(), times);
-    ALCOVE_ASSERT(output.visibility != nullptr, "methods so far give visibility");
     CellImages images;
-    images.visibility = gl::read_texture(m_stage.gl(), *output.visibility, 1);
+    images.measured = m_stage.read_measured(cell, output);
     if (output.history_state != nullptr) {
         images.history_state = fit_history_state(
             gl::read_texture(m_stage.gl(), *output.history_state, 4), m_stage.size());
     }
     m_stage.context().check_errors();
-    images.hash = to_hex(hash_image(images.visibility));
+    images.hash = to_hex(hash_image(images.measured));
     return images;
 }
 
@@ -228,35 +270,31 @@ void RoundCapture::measure_images(const MethodCell& cell, const CellImages& imag
                                   const Shot& shot) {
     const WallTime wall(m_done.metrics_s);
     const MetricInput input{
-        images.visibility, shot.truth.mean,
-        shot.truth.a(),    shot.truth.b(),
-        nullptr,           shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
+        images.measured, shot.truth.mean,
+        shot.truth.a(),  shot.truth.b(),
+        nullptr,         shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
     for (const ImageMetric& image : m_metrics) {
         add_row(cell, images, shot, image.name,
-                evaluate_in_domain(*image.resolved.unit, *image.metric, input, Domain::visibility,
-                                   image.resolved.domain));
+                evaluate_in_domain(*image.resolved.unit, *image.metric, input,
+                                   m_stage.measured_domain(), image.resolved.domain));
     }
     measure_strata(cell, images, shot);
 }
 
 void RoundCapture::measure_strata(const MethodCell& cell, const CellImages& images,
                                   const Shot& shot) {
-    for (std::size_t i = 0; i < shot.geometry.strata.size(); ++i) {
-        const Image& mask = shot.geometry.strata[i];
-        const std::string& stratum = list_strata()[i].name;
+    for (const auto& [stratum, mask] : shot.geometry.strata) {
         MetricResult pixels;
         pixels.value = static_cast<double>(count_pixels(mask));
         add_row(cell, images, shot, make_pixels_column(stratum), pixels);
-        const MetricInput input{images.visibility,
-                                shot.truth.mean,
-                                shot.truth.a(),
-                                shot.truth.b(),
-                                &mask,
-                                shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
+        const MetricInput input{
+            images.measured, shot.truth.mean,
+            shot.truth.a(),  shot.truth.b(),
+            &mask,           shot.geometry.eye_depth ? &*shot.geometry.eye_depth : nullptr};
         for (const ImageMetric& image : m_metrics) {
             add_row(cell, images, shot, make_stratum_column(image.name, stratum),
                     evaluate_in_domain(*image.resolved.unit, *image.metric, input,
-                                       Domain::visibility, image.resolved.domain));
+                                       m_stage.measured_domain(), image.resolved.domain));
         }
     }
 }
@@ -280,10 +318,11 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
     std::vector<std::pair<const MetricUnit*, Image>> maps;
     {
         const WallTime wall(m_done.temporal_s);
-        TemporalFrame frame{.test = images.visibility,
-                            .reference = shot.truth.mean,
-                            .reference_a = shot.truth.a(),
-                            .reference_b = shot.truth.b(),
+        const Image luma = compute_luma(images.measured);
+        TemporalFrame frame{.test = luma,
+                            .reference = shot.luma.mean,
+                            .reference_a = shot.luma.a(),
+                            .reference_b = shot.luma.b(),
                             .earlier = m_sequence.earlier(),
                             .surface = m_sequence.surface(),
                             .moves = m_sequence.moves(),
@@ -318,9 +357,9 @@ void RoundCapture::measure_sequence(const MethodCell& cell, const CellImages& im
         }
     }
     const Image* state = images.history_state ? &*images.history_state : nullptr;
-    m_pictures.write_film_frame(id, index_of_frame, images.visibility, shot.truth, state,
+    m_pictures.write_film_frame(id, index_of_frame, images.measured, shot.truth, state,
                                 sequence.history);
-    sequence.profile.add(images.visibility);
+    sequence.profile.add(images.measured);
     if (shot.ends_film) {
         m_pictures.write_accumulated(id, index_of_frame, sequence.flicker,
                                      state != nullptr ? &sequence.history : nullptr);

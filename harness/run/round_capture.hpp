@@ -1,6 +1,7 @@
 #pragma once
 // The capture replay of a round (DESIGN 3.2): takes images, measures them against truth, and stores
-// no time. Bursts are followed as sequences: metrics over time, histories, a film.
+// no time. Bursts are followed as sequences: metrics over time, histories, a film. Metrics over
+// time look at one channel: visibility, or the luminance (Rec. 709, linear) of pictures.
 
 #include "harness/run/metric_spec.hpp"
 #include "harness/run/round_pictures.hpp"
@@ -44,20 +45,25 @@ class RoundCapture {
     };
     /// What a cell left for one frame.
     struct CellImages {
-        Image visibility;
+        Image measured; ///< RoundStage::read_measured
         std::optional<Image> history_state;
         std::string hash;
+    };
+    struct Stratum {
+        std::string name;
+        Image mask;
     };
     /// What is asked of a frame's surfaces beside the truth of sequences.
     struct Geometry {
         std::optional<Image> eye_depth; ///< for metrics that need it
-        std::vector<Image> strata;      ///< as list_strata; empty where none are measured
+        std::vector<Stratum> strata;    ///< those that the plan measures
     };
     /// A frame that is being captured, and with what state.
     struct Shot {
         const RoundFrame& frame;
         SampleState state;
         const Truth& truth;
+        const Truth& luma; ///< of `truth`, one channel; the same object where that has one
         const Geometry& geometry;
         bool is_in_sequence;
         bool is_last; ///< of its sequence
@@ -66,11 +72,13 @@ class RoundCapture {
         bool keeps_pictures;
     };
 
+    /// Which strata the plan's columns are over.
+    void choose_strata();
     void capture_frame(std::size_t index);
     void capture_converged(const RoundFrame& single);
     [[nodiscard]] Truth get_truth(const FrameView& view);
     /// Of the stage's frame; `surfaces` where they have been read already.
-    [[nodiscard]] Geometry make_geometry(const FrameView& view, const Truth& truth,
+    [[nodiscard]] Geometry make_geometry(const FrameView& view, const Truth& luma,
                                          const SurfaceImages* surfaces);
     [[nodiscard]] CellImages take_images(MethodCell& cell, MethodOutput& output);
     void measure_images(const MethodCell& cell, const CellImages& images, const Shot& shot);
@@ -84,6 +92,10 @@ class RoundCapture {
     [[nodiscard]] MetricRow make_row(const MethodCell& cell, const CellImages& images,
                                      const Shot& shot, const std::string& metric) const;
     [[nodiscard]] bool is_single(const RoundFrame& frame) const;
+    /// Is Geometry asked for?
+    [[nodiscard]] bool needs_surfaces() const {
+        return m_needs_depth || m_has_strata || !m_regions.empty();
+    }
     [[nodiscard]] bool takes_part(const MethodCell& cell) const;
 
     RoundStage& m_stage;
@@ -98,7 +110,8 @@ class RoundCapture {
     ProfileStrip m_truth_profile;
     bool m_has_singles;
     bool m_needs_depth = false;
-    bool m_has_strata = false;
+    bool m_has_strata = false;          ///< those of list_strata
+    std::vector<std::string> m_regions; ///< objects that are strata of their own
 };
 
 } // namespace alcove

@@ -48,14 +48,14 @@ void RoundPictures::write_film_map(const std::string& cell, int frame, const std
 }
 
 void RoundPictures::write_film_reference(int frame, const Truth& truth) {
-    write("reference", frame, "film_visibility", encode_view(truth.mean));
+    write("reference", frame, std::string("film_") + name_measured(), encode_view(truth.mean));
 }
 
-void RoundPictures::write_film_frame(const std::string& cell, int frame, const Image& visibility,
+void RoundPictures::write_film_frame(const std::string& cell, int frame, const Image& measured,
                                      const Truth& truth, const Image* state,
                                      const HistoryRecord& history) {
-    write(cell, frame, "film_visibility", encode_view(visibility));
-    write(cell, frame, "film_error", make_error_map(visibility, truth.mean));
+    write(cell, frame, std::string("film_") + name_measured(), encode_view(measured));
+    write(cell, frame, "film_error", make_error_map(measured, truth.mean));
     if (state == nullptr) {
         return;
     }
@@ -91,20 +91,28 @@ void RoundPictures::write_profile(const std::string& cell, int frame, const Prof
 }
 
 void RoundPictures::write_reference(int frame, const Truth& truth) {
-    write("reference", frame, "visibility", encode_view(truth.mean));
+    write("reference", frame, name_measured(), encode_view(truth.mean));
+    if (m_stage.measures_pictures()) {
+        return;
+    }
     gl::Texture texture(m_stage.gl(), GL_R32F, m_stage.size());
     gl::write_texture(m_stage.gl(), texture, truth.mean);
     m_stage.compose(nullptr, {.visibility = &texture}, PassTiming::none);
-    write("reference", frame, "shaded",
-          encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
+    write_shaded("reference", frame);
 }
 
-void RoundPictures::write_cell(const MethodCell& cell, int frame, const Image& visibility,
+void RoundPictures::write_cell(const MethodCell& cell, int frame, const Image& measured,
                                const MethodOutput& output, const Truth& truth) {
-    m_stage.compose(&cell, output, PassTiming::none);
-    write(cell.record().id, frame, "visibility", encode_view(visibility));
-    write(cell.record().id, frame, "error", make_error_map(visibility, truth.mean));
-    write(cell.record().id, frame, "shaded",
+    write(cell.record().id, frame, name_measured(), encode_view(measured));
+    write(cell.record().id, frame, "error", make_error_map(measured, truth.mean));
+    if (!m_stage.measures_pictures()) {
+        m_stage.compose(&cell, output, PassTiming::none);
+        write_shaded(cell.record().id, frame);
+    }
+}
+
+void RoundPictures::write_shaded(const std::string& cell, int frame) {
+    write(cell, frame, "shaded",
           encode_view(tone_map(gl::read_texture(m_stage.gl(), m_stage.picture(), 3))));
 }
 

@@ -17,10 +17,13 @@ class RoundPictures {
     RoundPictures(RoundStage& stage, RoundDone& done, std::filesystem::path run_folder)
         : m_stage(stage), m_done(done), m_run_folder(std::move(run_folder)) {}
 
-    /// Visibility and shaded picture of truth; uses the stage's G-buffer of the frame.
+    // A round of visibility keeps that and the shaded pictures that it makes; a round of radiance
+    // keeps the tone-mapped pictures that it measures. `measured`: RoundStage::read_measured.
+
+    /// Truth, and of visibility its shaded picture; uses the stage's G-buffer of the frame.
     void write_reference(int frame, const Truth& truth);
-    /// Visibility, error map and shaded picture of a method's image.
-    void write_cell(const MethodCell& cell, int frame, const Image& visibility,
+    /// A method's image, its error map, and of visibility its shaded picture.
+    void write_cell(const MethodCell& cell, int frame, const Image& measured,
                     const MethodOutput& output, const Truth& truth);
 
     /// Is the map of this metric over time part of the film?
@@ -29,8 +32,8 @@ class RoundPictures {
     void write_film_map(const std::string& cell, int frame, const std::string& metric,
                         const Image& map, double largest);
     void write_film_reference(int frame, const Truth& truth);
-    /// Visibility and error map, and the history's maps where there is a state.
-    void write_film_frame(const std::string& cell, int frame, const Image& visibility,
+    /// A method's image and error map, and the history's maps where there is a state.
+    void write_film_frame(const std::string& cell, int frame, const Image& measured,
                           const Truth& truth, const Image* state, const HistoryRecord& history);
     /// On the film's last frame: 95th percentile of `flicker` (|D| a frame), and the history's sums
     /// if the method has one.
@@ -49,6 +52,12 @@ class RoundPictures {
                     const Image& from, const Image& to);
 
   private:
+    /// How the pictures of what is measured are named.
+    [[nodiscard]] const char* name_measured() const {
+        return m_stage.measures_pictures() ? "picture" : "visibility";
+    }
+    /// Of an output whose picture composes, as eyes see it.
+    void write_shaded(const std::string& cell, int frame);
     void write(const std::string& cell, int frame, const std::string& picture, const Image& codes);
 
     RoundStage& m_stage;

@@ -1,5 +1,6 @@
 #include "harness/run/round_stage.hpp"
 
+#include "core/base/error.hpp"
 #include "core/contract/method_gbuffers.hpp"
 #include "harness/run/environment.hpp"
 
@@ -11,7 +12,8 @@ RoundStage::RoundStage(gl::Context& context, gl::TimerMode timer_mode, const Uni
                        const PlanRecord& plan, const RoundRecord& round, const Scene& scene)
     : m_context(context), m_units(units), m_plan(plan), m_round(round), m_scene(scene),
       m_timer(context.functions(), timer_mode), m_size{round.width, round.height},
-      m_compose(context.functions(), m_size), m_surroundings(context.functions()),
+      m_target(parse_target(round.target, {})), m_compose(context.functions(), m_size),
+      m_surroundings(context.functions()),
       m_gbuffers(context.functions(), scene, m_size, parse_precision(round.precision),
                  GBufferStore(get_cache_folder(), describe_drawing(context)),
                  {plan.audit_share, plan.audit_seed},
@@ -221,6 +223,28 @@ MethodInputs RoundStage::make_inputs(const MethodCell& cell) {
     return inputs;
 }
 
+MethodInputs RoundStage::make_measured_inputs(const MethodCell& cell) {
+    MethodInputs inputs = make_inputs(cell);
+    inputs.wants_visibility = !measures_pictures();
+    return inputs;
+}
+
+Image RoundStage::read_measured(const MethodCell& cell, const MethodOutput& output) {
+    if (!measures_pictures() && output.visibility == nullptr) {
+        throw InputError(cell.record().label, "gives radiance alone, no visibility", m_round.target,
+                         "a target with output=radiance");
+    }
+    Image image;
+    if (measures_pictures()) {
+        compose(&cell, output, PassTiming::none);
+        image = tone_map(gl::read_texture(gl(), picture(), 3));
+    } else {
+        image = gl::read_texture(gl(), *output.visibility, 1);
+    }
+    m_context.check_errors();
+    return image;
+}
+
 void RoundStage::prepare_histories(const RoundFrame& frame) {
     for (MethodCell& cell : m_cells) {
         if (frame.is_warmed) {
@@ -237,14 +261,28 @@ void RoundStage::warm_up(MethodCell& cell, const FrameView& view) {
     cell.method().reset_history();
     for (int i = 0; i < cell.record().warm_frames; ++i) {
         if (i <= 1) {
-            set_frame(i == 0 ? view : hold(view));
+            set_frame_of(cell, i == 0 ? view : hold(view));
             render_gbuffers(list_keys(cell));
         }
         CellTimes times;
         static_cast<void>(cell.render(make_inputs(cell), PassTiming::none, m_timer, times));
     }
-    set_frame(hold(view));
-    render_gbuffers(list_keys(cell));
+    set_frame_of(cell, hold(view));
+    std::vector<GBufferKey> keys = list_keys(cell);
+    if (std::find(keys.begin(), keys.end(), kBaseGBuffer) == keys.end()) {
+        keys.push_back(kBaseGBuffer);
+    }
+    render_gbuffers(keys);
+}
+
+void RoundStage::set_frame_of(const MethodCell& cell, const FrameView& view) {
+    set_frame(view);
+    const bool is_posed = std::any_of(m_cells.begin(), m_cells.end(), [](const MethodCell& other) {
+        return other.needs_geometry();
+    });
+    if (cell.needs_geometry() && !is_posed) {
+        m_geometry = pose_geometry(m_scene, view.time_s);
+    }
 }
 
 void RoundStage::draw(const GBuffer& gbuffer) {

@@ -36,6 +36,15 @@ class RoundStage {
     [[nodiscard]] const RoundRecord& round() const { return m_round; }
     [[nodiscard]] const Scene& scene() const { return m_scene; }
     [[nodiscard]] ImageSize size() const { return m_size; }
+    [[nodiscard]] const Target& target() const { return m_target; }
+    /// Are pictures measured (the target is radiance), not visibility?
+    [[nodiscard]] bool measures_pictures() const {
+        return m_target.output == TargetOutput::radiance;
+    }
+    /// Of the images that are measured: pictures are linear light for a display.
+    [[nodiscard]] Domain measured_domain() const {
+        return measures_pictures() ? Domain::linear : Domain::visibility;
+    }
     [[nodiscard]] const std::vector<RoundFrame>& frames() const { return m_frames; }
     [[nodiscard]] std::vector<RoundFrame> list_singles() const;
     [[nodiscard]] std::vector<MethodCell>& cells() { return m_cells; }
@@ -69,21 +78,33 @@ class RoundStage {
     [[nodiscard]] const RoundGBuffers& gbuffers() const { return m_gbuffers; }
     /// What the cell's method declares: its ordinary G-buffer first, then its parts in order.
     [[nodiscard]] static std::vector<GBufferKey> list_keys(const MethodCell& cell);
+    /// For a timed frame, or one whose image nobody looks at.
     [[nodiscard]] MethodInputs make_inputs(const MethodCell& cell);
+    /// The same for an image that is measured: a method that gives radiance is asked for its
+    /// visibility too where the target is visibility.
+    [[nodiscard]] MethodInputs make_measured_inputs(const MethodCell& cell);
+    /// The image that is measured, from the output of the stage's frame: visibility, one channel;
+    /// or the shaded picture behind tone_map, three. The base G-buffer must be that of the frame
+    /// where pictures are measured. Throws InputError if the method leaves no visibility where that
+    /// is measured, FailureError on GL errors.
+    [[nodiscard]] Image read_measured(const MethodCell& cell, const MethodOutput& output);
     /// What a frame asks for before it is shown: histories forgotten at a segment's start and at a
     /// cut, and converged where the frame is warmed.
     void prepare_histories(const RoundFrame& frame);
     /// Forgets the cell's history and renders it for its warm_frames() with the frame held, which
-    /// stays set, with its G-buffer.
+    /// stays set, with its G-buffers and the base.
     void warm_up(MethodCell& cell, const FrameView& view);
-    /// The shaded picture of a method's output, in m_compose's texture, with as many samples a
-    /// pixel as the cell's method declares; of one sample without a cell.
+    /// The shaded picture of a method's output (of its radiance, where it gives both), in
+    /// m_compose's texture, with as many samples a pixel as the cell's method declares; of one
+    /// sample without a cell.
     void compose(const MethodCell* cell, const MethodOutput& output, PassTiming timing);
     [[nodiscard]] const gl::Texture& picture() const { return m_compose.picture(); }
     /// Draws the frame into a G-buffer of the caller's, without border.
     void draw(const GBuffer& gbuffer);
 
   private:
+    /// For a cell that need not be one of the stage's.
+    void set_frame_of(const MethodCell& cell, const FrameView& view);
     /// All frames as they are drawn: as replayed, and held where histories converge.
     [[nodiscard]] std::vector<FrameView> list_views() const;
     [[nodiscard]] bool find_all_stored();
@@ -95,6 +116,7 @@ class RoundStage {
     const Scene& m_scene;
     gl::IntervalTimer m_timer;
     ImageSize m_size;
+    Target m_target;
     Compose m_compose;
     Surroundings m_surroundings;
     RoundGBuffers m_gbuffers;

@@ -1,11 +1,14 @@
 #include "harness/run/strata.hpp"
 
 #include "core/base/domain.hpp"
+#include "core/base/error.hpp"
+#include "core/base/nearest_name.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -138,9 +141,43 @@ const std::vector<StratumInfo>& list_strata() {
         {"angle_60_90", "seen at 60 to 90 degrees",
          "the same from 60 degrees on: grazing, and what shading normals turn away"},
         {"moving", "moving objects", "surface of objects that have moved since the last frame"},
-        {"dark", "dark values", "surface where the view of truth (sRGB code) is under 0.5"},
+        {"dark", "dark values",
+         "surface where the view of truth (sRGB code; of a picture, of its luminance) is under "
+         "0.5"},
     };
     return strata;
+}
+
+StratumInfo describe_region(const std::string& object) {
+    return {object, "object " + object, "surface of the object `" + object + "`"};
+}
+
+void check_regions(const std::vector<std::string>& names, std::span<const Object> objects,
+                   std::string_view where) {
+    std::set<std::string> known;
+    for (const Object& object : objects) {
+        known.insert(object.name);
+    }
+    const std::vector<std::string> choices(known.begin(), known.end());
+    std::set<std::string> seen;
+    for (const std::string& name : names) {
+        if (!known.contains(name)) {
+            throw InputError(where, "no object of this name", name,
+                             describe_choices(name, choices));
+        }
+        if (!seen.insert(name).second) {
+            throw InputError(where, "region stands twice", name, "each one once");
+        }
+        const std::vector<StratumInfo>& strata = list_strata();
+        const bool is_stratum =
+            std::any_of(strata.begin(), strata.end(),
+                        [&name](const StratumInfo& stratum) { return stratum.name == name; });
+        // A column is METRIC[STRATUM].
+        if (is_stratum || name.find_first_of("[]") != std::string::npos) {
+            throw InputError(where, is_stratum ? "the name of a stratum" : "a name with brackets",
+                             name, "an object whose name can stand in a column of its own");
+        }
+    }
 }
 
 std::string make_stratum_column(const std::string& metric, const std::string& stratum) {
@@ -173,6 +210,17 @@ std::vector<Image> make_strata(const SurfaceImages& images, const Image& truth,
         mark(surfaces, [&](int x, int y) { return encode_srgb(truth.at(x, y)) < kDark; }));
     ALCOVE_ASSERT(masks.size() == list_strata().size(), "a mask a stratum");
     return masks;
+}
+
+Image make_region(const Image& instance_id, std::span<const Object> objects,
+                  const std::string& name) {
+    Image mask(instance_id.size(), 1);
+    for (std::size_t i = 0; i < mask.values().size(); ++i) {
+        const auto id = static_cast<std::size_t>(instance_id.values()[i]);
+        ALCOVE_ASSERT(id <= objects.size(), "ids of the scene's objects");
+        mask.values()[i] = id > 0 && objects[id - 1].name == name ? 1.0f : 0.0f;
+    }
+    return mask;
 }
 
 std::size_t count_pixels(const Image& mask) {

@@ -11,7 +11,7 @@ class RayTracedTruth final : public TruthSource {
         : m_stage(stage),
           m_store(get_cache_folder(), stage.units().methods.find(kRayTraced).content_hash,
                   {stage.plan().audit_share, stage.plan().audit_seed}) {
-        m_settings.target = parse_target(stage.round().target, {});
+        m_settings.target = stage.target();
         m_settings.rays_per_half = stage.plan().reference_rays_per_half;
     }
 
@@ -46,12 +46,10 @@ class MethodTruth final : public TruthSource {
     Truth get(const FrameView& view) override {
         m_stage.warm_up(m_cell, view);
         CellTimes times;
-        const MethodOutput output =
-            m_cell.render(m_stage.make_inputs(m_cell), PassTiming::none, m_stage.timer(), times);
-        ALCOVE_ASSERT(output.visibility != nullptr, "a reference gives visibility");
+        const MethodOutput output = m_cell.render(m_stage.make_measured_inputs(m_cell),
+                                                  PassTiming::none, m_stage.timer(), times);
         Truth truth;
-        truth.mean = gl::read_texture(m_stage.gl(), *output.visibility, 1);
-        m_stage.context().check_errors();
+        truth.mean = m_stage.read_measured(m_cell, output);
         m_stage.set_frame(view);
         return truth;
     }
@@ -64,7 +62,7 @@ class MethodTruth final : public TruthSource {
 } // namespace
 
 std::unique_ptr<TruthSource> make_truth_source(RoundStage& stage) {
-    if (stage.round().reference.method == kRayTraced) {
+    if (stage.round().reference.method == kRayTraced && !stage.measures_pictures()) {
         return std::make_unique<RayTracedTruth>(stage);
     }
     return std::make_unique<MethodTruth>(stage);

@@ -1,6 +1,8 @@
 #pragma once
-// What a round's images are measured against: a ray-traced reference with its two halves, or any
-// other method's image.
+// What a round's images are measured against: a traced reference with its two halves, or any other
+// method's image. Under a target of visibility that is visibility; under one of radiance the
+// picture behind tone_map, and of halves the mean of both behind it: what the curve makes of noise
+// is then in the mean as in the halves, so that cross products of them stay free of bias.
 
 #include "harness/run/reference_store.hpp"
 #include "harness/run/round_stage.hpp"

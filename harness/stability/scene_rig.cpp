@@ -43,6 +43,7 @@ RigShot SceneRig::shoot(Method& method, const FrameView& view, const ShotOptions
     inputs.lights = &lights;
     inputs.noise_seed = options.seed;
     inputs.wants_history_state = options.wants_history_state;
+    inputs.wants_visibility = true;
     PassRecorder passes(PassTiming::none);
     m_context.reset_state();
     const MethodOutput output = method.render(inputs, passes);

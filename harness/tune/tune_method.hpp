@@ -25,8 +25,7 @@ struct TunePlan {
     std::string judge = "ssim";
     std::vector<std::string> free; ///< names; empty: radius and strength
     int evaluations_per_parameter = 24;
-    /// What is fitted to: ray-traced truth, or any other method.
-    MethodSpec reference = Experiment{}.reference;
+    std::optional<MethodSpec> reference; ///< what is fitted to, as Experiment::reference
     int reference_rays_per_half = 32;
     std::uint64_t seed = 1;
     std::string command_line;

@@ -48,12 +48,12 @@ TuneScene::TuneScene(gl::Context& context, const Units& units, const Experiment&
 }
 
 double TuneScene::target_radius_m() const {
-    return parse_target(round().target, {}).radius_m;
+    return m_stage->target().radius_m;
 }
 
 CellRecord TuneScene::make_cell(const MethodSpec& spec) const {
-    return make_cell_record(m_units.methods.find(spec.method), spec,
-                            parse_target(round().target, {}), round().ao_radius_m);
+    return make_cell_record(m_units.methods.find(spec.method), spec, m_stage->target(),
+                            round().ao_radius_m);
 }
 
 Image TuneScene::render(const CellRecord& cell, std::size_t frame) {
@@ -66,19 +66,16 @@ Image TuneScene::render(const CellRecord& cell, std::size_t frame) {
     }
     m_stage->warm_up(*m_cell, m_frames[frame].view);
     CellTimes times;
-    const MethodOutput output =
-        m_cell->render(m_stage->make_inputs(*m_cell), PassTiming::none, m_stage->timer(), times);
-    ALCOVE_ASSERT(output.visibility != nullptr, "methods so far give visibility");
-    Image image = gl::read_texture(m_stage->gl(), *output.visibility, 1);
-    m_stage->context().check_errors();
-    return image;
+    const MethodOutput output = m_cell->render(m_stage->make_measured_inputs(*m_cell),
+                                               PassTiming::none, m_stage->timer(), times);
+    return m_stage->read_measured(*m_cell, output);
 }
 
 double TuneScene::measure(const TuneMetric& metric, const Image& image, std::size_t frame) {
     const Truth& truth = m_truths[frame];
     const MetricResult result =
         evaluate_in_domain(*metric.unit, *metric.metric, {image, truth.mean, truth.a(), truth.b()},
-                           Domain::visibility, metric.domain);
+                           m_stage->measured_domain(), metric.domain);
     if (!result.value) {
         throw InputError("tune", metric.text + " has no value: " + result.undefined_reason,
                          name() + " frame " + std::to_string(frame_index(frame)), "another metric");

@@ -5,6 +5,7 @@
 #include "core/base/camera.hpp"
 #include "core/base/target.hpp"
 #include "core/frame/posed_geometry.hpp"
+#include "methods/common/reference_pair.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -24,24 +25,11 @@ struct TraceSettings {
     int threads = 0; ///< 0: all cores. The image does not depend on it
 };
 
-/// Visibility in two halves, one channel each; background 1. Their mean is the reference, RMS(a -
-/// b) / 2 its noise.
-struct ReferencePair {
-    Image a;
-    Image b;
-    std::uint64_t ray_count = 0; ///< occlusion rays cast
-};
-
 /// A place on a surface, relative to the geometry's origin.
 struct SurfacePoint {
     glm::vec3 position;
     glm::vec3 normal; ///< unit, to the side that is asked about
 };
-
-/// Mean of the halves.
-[[nodiscard]] Image compute_mean(const ReferencePair& pair);
-/// RMS(a - b) / 2: the standard error of the mean, over all pixels.
-[[nodiscard]] double compute_noise(const ReferencePair& pair);
 
 class RayTracer {
   public:
@@ -55,8 +43,8 @@ class RayTracer {
     void update(const PosedGeometry& geometry);
 
     /// Evaluated where the ray through the pixel centre hits; rays are blocked by either side of a
-    /// surface; normals are turned to the viewer; near and far clip camera rays only. Asserts that
-    /// update was called.
+    /// surface; normals are turned to the viewer; near and far clip camera rays only. One channel,
+    /// background 1; counts occlusion rays. Asserts that update was called.
     [[nodiscard]] ReferencePair trace(const Camera& camera, ImageSize size,
                                       const TraceSettings& settings) const;
 

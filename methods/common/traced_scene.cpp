@@ -31,7 +31,7 @@ TracedScene::Surface TracedScene::place(const PosedObject& object) {
     Surface surface;
     const glm::mat4 matrix = object.origin_from_object;
     const glm::mat3 normal_matrix = glm::transpose(glm::inverse(glm::mat3(matrix)));
-    surface.indices = &object.mesh->indices;
+    surface.mesh = object.mesh;
     const std::span<const glm::vec3> positions = object.positions();
     const std::span<const glm::vec3> normals = object.normals();
     surface.positions.reserve(positions.size());
@@ -56,13 +56,13 @@ void TracedScene::attach(RTCScene tree, const Surface& surface, unsigned id) con
                                 sizeof(glm::vec3), surface.positions.size()));
     auto* indices = static_cast<std::uint32_t*>(
         rtcSetNewGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                3 * sizeof(std::uint32_t), surface.indices->size() / 3));
+                                3 * sizeof(std::uint32_t), surface.mesh->indices.size() / 3));
     if (positions == nullptr || indices == nullptr) {
         rtcReleaseGeometry(mesh);
         throw FailureError("Embree", "out of memory for the scene's triangles");
     }
     std::copy(surface.positions.begin(), surface.positions.end(), positions);
-    std::copy(surface.indices->begin(), surface.indices->end(), indices);
+    std::copy(surface.mesh->indices.begin(), surface.mesh->indices.end(), indices);
     rtcCommitGeometry(mesh);
     rtcAttachGeometryByID(tree, mesh, id);
     rtcReleaseGeometry(mesh);
@@ -121,7 +121,7 @@ const TracedScene::Shared& TracedScene::get_mesh(const Mesh& mesh) {
     }
     Shared& shared = m_meshes[&mesh];
     shared.tree = make_tree();
-    shared.surfaces.push_back({mesh.positions, mesh.normals, &mesh.indices});
+    shared.surfaces.push_back({mesh.positions, mesh.normals, &mesh});
     attach(shared.tree.get(), shared.surfaces.front(), 0);
     commit(shared.tree.get());
     return shared;
@@ -180,8 +180,10 @@ TracedTriangle TracedScene::get_triangle(const TracedHit& hit) const {
     const Surface& surface = is_instance ? instance->shared->surfaces[hit.geometry]
                                          : m_direct[hit.geometry - m_instances.size()];
     TracedTriangle triangle;
+    triangle.mesh = surface.mesh;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint32_t vertex = (*surface.indices)[std::size_t{3} * hit.primitive + i];
+        const std::uint32_t vertex = surface.mesh->indices[std::size_t{3} * hit.primitive + i];
+        triangle.vertices[i] = vertex;
         triangle.corners[i] = surface.positions[vertex];
         triangle.normals[i] = surface.normals[vertex];
         if (is_instance) {

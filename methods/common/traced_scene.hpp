@@ -29,6 +29,8 @@ struct TracedHit {
 struct TracedTriangle {
     std::array<glm::vec3, 3> corners;
     std::array<glm::vec3, 3> normals;
+    const Mesh* mesh = nullptr;            ///< whose triangle it is
+    std::array<std::uint32_t, 3> vertices; ///< indices into the mesh's vertices
 };
 
 class TracedScene {
@@ -63,7 +65,7 @@ class TracedScene {
     struct Surface {
         std::vector<glm::vec3> positions;
         std::vector<glm::vec3> normals;
-        const std::vector<std::uint32_t>* indices = nullptr;
+        const Mesh* mesh = nullptr;
     };
     /// A mesh that is placed more than once, or all that stands still.
     struct Shared {

@@ -5,14 +5,20 @@
 namespace alcove {
 namespace {
 
-TargetMapping map_rays(const Target& target) {
+void set(TargetMapping& mapping, const char* name, std::string value) {
+    mapping.overrides.push_back({name, std::move(value), Provenance::target});
+}
+
+TargetMapping map_length(const Target& target) {
     TargetMapping mapping;
-    const auto set = [&mapping](const char* name, std::string value) {
-        mapping.overrides.push_back({name, std::move(value), Provenance::target});
-    };
-    set("radius", to_text(ParameterValue{target.radius_m}));
-    set("falloff", std::string(to_text(target.falloff)));
-    set("weighting", std::string(to_text(target.weighting)));
+    set(mapping, "radius", to_text(ParameterValue{target.radius_m}));
+    set(mapping, "falloff", std::string(to_text(target.falloff)));
+    return mapping;
+}
+
+TargetMapping map_rays(const Target& target) {
+    TargetMapping mapping = map_length(target);
+    set(mapping, "weighting", std::string(to_text(target.weighting)));
     return mapping;
 }
 
@@ -28,8 +34,16 @@ TargetMapping map_target_on_shading_normals(const Target& target) {
 
 TargetMapping map_whole_target(const Target& target) {
     TargetMapping mapping = map_rays(target);
-    mapping.overrides.push_back(
-        {"normals", std::string(to_text(target.normals)), Provenance::target});
+    set(mapping, "normals", std::string(to_text(target.normals)));
+    return mapping;
+}
+
+TargetMapping map_cosine_target(const Target& target) {
+    TargetMapping mapping = map_length(target);
+    set(mapping, "normals", std::string(to_text(target.normals)));
+    if (target.weighting != Weighting::cosine) {
+        mapping.reason = "uniform weighting asked for, light has the cosine";
+    }
     return mapping;
 }
 

@@ -40,6 +40,8 @@ template <class P>
 
 /// Radius, falloff and weighting; with the G-buffer's or the vertices' shading normals.
 [[nodiscard]] TargetMapping map_target_on_shading_normals(const Target& target);
+/// Radius, falloff and normals; for light, whose directions weigh by their cosine.
+[[nodiscard]] TargetMapping map_cosine_target(const Target& target);
 /// All of it.
 [[nodiscard]] TargetMapping map_whole_target(const Target& target);
 

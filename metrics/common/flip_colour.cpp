@@ -148,6 +148,21 @@ ALCOVE_CLONES void convert_lab_rows(float* __restrict first, float* __restrict s
     }
 }
 
+ALCOVE_CLONES void convert_plain_lab_rows(float* __restrict first, float* __restrict second,
+                                          float* __restrict third, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+        const float r = first[i];
+        const float g = second[i];
+        const float b = third[i];
+        const float fx = compress(kX.r * r + kX.g * g + kX.b * b);
+        const float fy = compress(kY.r * r + kY.g * g + kY.b * b);
+        const float fz = compress(kZ.r * r + kZ.g * g + kZ.b * b);
+        first[i] = 116.0f * fy - 16.0f;
+        second[i] = 500.0f * (fx - fy);
+        third[i] = 200.0f * (fy - fz);
+    }
+}
+
 ALCOVE_CLONES void convert_lightness_row(float* __restrict values, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         values[i] = 116.0f * compress(clamp_to_one(values[i])) - 16.0f;
@@ -175,6 +190,10 @@ void convert_to_opponent(const std::array<float*, 3>& planes, std::size_t count)
 
 void convert_to_hunt_lab(const std::array<float*, 3>& planes, std::size_t count) {
     convert_lab_rows(planes[0], planes[1], planes[2], count);
+}
+
+void convert_to_lab(const std::array<float*, 3>& planes, std::size_t count) {
+    convert_plain_lab_rows(planes[0], planes[1], planes[2], count);
 }
 
 void convert_to_lightness(float* values, std::size_t count) {

@@ -1,7 +1,7 @@
 #pragma once
-// The colour spaces of FLIP, a row at a time, in planes. This work is based on: Andersson, Nilsson,
-// Akenine-Moller, Oskarsson, Astrom, Fairchild. FLIP: A Difference Evaluator for Alternating
-// Images. 2020, sections 4.1.1 to 4.1.3.
+// The colour spaces of FLIP, and CIELAB, a row at a time, in planes. This work is based on:
+// Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild. FLIP: A Difference Evaluator
+// for Alternating Images. 2020, sections 4.1.1 to 4.1.3.
 
 #include <array>
 #include <cstddef>
@@ -22,6 +22,9 @@ void convert_to_hunt_lab(const std::array<float*, 3>& planes, std::size_t count)
 
 /// The same of grey: filtered y to L alone.
 void convert_to_lightness(float* values, std::size_t count);
+
+/// Linear RGB in [0,1] to CIELAB under D65 as it is (CIE 15), in place.
+void convert_to_lab(const std::array<float*, 3>& planes, std::size_t count);
 
 /// (|dL| + sqrt(da^2 + db^2))^0.7 of two rows of Hunt-Lab, mapped to [0,1] so that 0.4 of the
 /// largest distance, green to blue, is 0.95 (equations 3 and 4). `planes` is 3, or 1 for grey. Uses

@@ -47,6 +47,16 @@ double PooledRegion::compute_mean(const std::vector<double>& row_sums) const {
     return sum / static_cast<double>(m_count);
 }
 
+double PooledRegion::compute_mean(const Image& map) const {
+    ALCOVE_ASSERT(map.size() == m_size && map.channels() == 1, "a map of the region");
+    const auto width = static_cast<std::size_t>(m_size.width);
+    std::vector<double> rows;
+    for (int y = 0; y < m_size.height; ++y) {
+        rows.push_back(sum_row(y, map.values().data() + static_cast<std::size_t>(y) * width));
+    }
+    return compute_mean(rows);
+}
+
 void PooledRegion::report(MetricResult& result) const {
     if (m_mask == nullptr) {
         return;

@@ -23,6 +23,8 @@ class PooledRegion {
     [[nodiscard]] double sum_row(int y, const double* values) const;
     /// Sum of the rows, from top to bottom, over the count. Asserts that it is not 0.
     [[nodiscard]] double compute_mean(const std::vector<double>& row_sums) const;
+    /// Mean of the counted ones of a map that has the region's size. Asserts that there are any.
+    [[nodiscard]] double compute_mean(const Image& map) const;
     /// Writes the counts where there is a mask, and the reason where it counts nothing.
     void report(MetricResult& result) const;
 

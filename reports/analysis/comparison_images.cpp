@@ -36,13 +36,14 @@ std::optional<std::string> find_picture(const MeasuredCell& side, const ImageKey
     const bool is_single = round.segments[static_cast<std::size_t>(segment)].is_single();
     const bool has_singles = std::any_of(round.segments.begin(), round.segments.end(),
                                          [](const SegmentRecord& s) { return s.is_single(); });
+    const bool is_picture = measures_pictures(round);
     const bool is_held = state == SampleState::converged;
     std::vector<std::string_view> pictures;
     if (!has_singles || (is_single && is_held == (side.cell.warm_frames > 0))) {
-        pictures.emplace_back("visibility");
+        pictures.emplace_back(is_picture ? "picture" : "visibility");
     }
     if (!is_single && !is_held && frame >= round.film.begin && frame < round.film.end) {
-        pictures.emplace_back("film_visibility");
+        pictures.emplace_back(is_picture ? "film_picture" : "film_visibility");
     }
     for (const std::string_view picture : pictures) {
         std::string path = RunFolder::make_image_path(round.id, side.cell.id, frame, picture);

@@ -76,10 +76,12 @@ std::string make_accumulated_maps(const RoundAnalysis& round, const PictureFinde
 
 } // namespace
 
-const std::vector<PictureKind>& list_film_kinds() {
-    static const std::vector<PictureKind> kKinds = {
-        {"visibility", "Visibility", false, "film_visibility"},
-        {"reference", "Reference", true, "film_visibility"},
+std::vector<PictureKind> list_film_kinds(const RoundRecord& round) {
+    const bool is_picture = measures_pictures(round);
+    const char* const file = is_picture ? "film_picture" : "film_visibility";
+    return {
+        {is_picture ? "picture" : "visibility", is_picture ? "Picture" : "Visibility", false, file},
+        {"reference", "Reference", true, file},
         {"error", "Error map", false, "film_error"},
         {"flicker", "Temporal flicker", false, "film_temporal_flicker"},
         {"age", "Age of the history", false, "film_age"},
@@ -89,7 +91,6 @@ const std::vector<PictureKind>& list_film_kinds() {
         {"missed", "Missed invalidation", false, "film_missed_invalidation"},
         {"false", "False invalidation", false, "film_false_invalidation"},
     };
-    return kKinds;
 }
 
 std::string make_film_block(const RoundAnalysis& round, const PictureFinder& finder) {
@@ -102,7 +103,7 @@ std::string make_film_block(const RoundAnalysis& round, const PictureFinder& fin
     std::vector<PictureKind> legends;
     for (const int frame : choose_sheet_frames(film)) {
         const std::vector<PictureKind> kinds =
-            list_kept_kinds(round, finder, frame, list_film_kinds());
+            list_kept_kinds(round, finder, frame, list_film_kinds(round.round));
         if (kinds.empty()) {
             continue;
         }

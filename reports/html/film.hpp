@@ -9,8 +9,8 @@
 
 namespace alcove {
 
-/// Kinds of pictures that every frame of a film can have.
-[[nodiscard]] const std::vector<PictureKind>& list_film_kinds();
+/// Kinds of pictures that every frame of the round's film can have.
+[[nodiscard]] std::vector<PictureKind> list_film_kinds(const RoundRecord& round);
 
 /// The player's place, legends, sheets of a few frames and the maps accumulated over the film;
 /// empty if the round has no film.

@@ -98,13 +98,13 @@ Json make_kind(const PictureKind& kind) {
 
 Json make_pictures(const RoundAnalysis& round, const PictureFinder& finder) {
     Json kinds = Json::array();
-    for (const PictureKind& kind : list_picture_kinds()) {
+    for (const PictureKind& kind : list_picture_kinds(round.round)) {
         kinds.push_back(make_kind(kind));
     }
     Json urls = Json::object();
     for (const CellAnalysis* cell : list_pictured_cells(round)) {
         for (const int frame : round.round.image_frames) {
-            for (const PictureKind& kind : list_picture_kinds()) {
+            for (const PictureKind& kind : list_picture_kinds(round.round)) {
                 if (const auto url = finder.find_url(round.round.id, cell->cell.id, frame, kind)) {
                     urls[cell->cell.id][std::to_string(frame)][kind.key] = *url;
                 }
@@ -119,7 +119,7 @@ Json make_film(const RoundAnalysis& round, const PictureFinder& finder) {
     const SegmentRecord& film = round.round.film;
     Json urls = Json::object();
     Json kinds = Json::array();
-    for (const PictureKind& kind : list_film_kinds()) {
+    for (const PictureKind& kind : list_film_kinds(round.round)) {
         bool is_kept = false;
         for (const CellAnalysis* cell : list_pictured_cells(round)) {
             Json frames = Json::array();

@@ -8,15 +8,20 @@ namespace alcove {
 
 namespace fs = std::filesystem;
 
-const std::vector<PictureKind>& list_picture_kinds() {
-    static const std::vector<PictureKind> kKinds = {
+const std::vector<PictureKind>& list_picture_kinds(const RoundRecord& round) {
+    static const std::vector<PictureKind> kPictureKinds = {
+        {"method", "Picture", false, "picture"},
+        {"reference", "Reference", true, "picture"},
+        {"error", "Error map", false, "error"},
+    };
+    static const std::vector<PictureKind> kVisibilityKinds = {
         {"method", "Visibility", false, "visibility"},
         {"reference", "Reference", true, "visibility"},
         {"error", "Error map", false, "error"},
         {"shaded", "Shaded", false, "shaded"},
         {"shaded_reference", "Shaded reference", true, "shaded"},
     };
-    return kKinds;
+    return measures_pictures(round) ? kPictureKinds : kVisibilityKinds;
 }
 
 PictureFinder::PictureFinder(fs::path run, const fs::path& page_folder) : m_run(std::move(run)) {
@@ -80,11 +85,11 @@ std::string make_picture_table(const RoundAnalysis& round, const PictureFinder& 
 std::string make_picture_sheet(const RoundAnalysis& round, const PictureFinder& finder) {
     std::string text;
     for (const int frame : round.round.image_frames) {
-        text +=
-            fmt::format("<details class=\"sheet\"{}><summary>All pictures of frame "
-                        "{}</summary>\n{}</details>\n",
-                        frame == round.round.image_frames.front() ? " open" : "", frame,
-                        make_picture_table(round, finder, frame, list_picture_kinds(), "not kept"));
+        text += fmt::format(
+            "<details class=\"sheet\"{}><summary>All pictures of frame "
+            "{}</summary>\n{}</details>\n",
+            frame == round.round.image_frames.front() ? " open" : "", frame,
+            make_picture_table(round, finder, frame, list_picture_kinds(round.round), "not kept"));
     }
     return text;
 }

@@ -19,7 +19,8 @@ struct PictureKind {
     const char* file_picture; ///< the name in the file
 };
 
-[[nodiscard]] const std::vector<PictureKind>& list_picture_kinds();
+/// Of a round of visibility, or of radiance.
+[[nodiscard]] const std::vector<PictureKind>& list_picture_kinds(const RoundRecord& round);
 
 /// Finds pictures of one run as seen from one page.
 class PictureFinder {

@@ -26,14 +26,14 @@ std::string make_facts(const RoundAnalysis& round) {
         "<dl "
         "class=\"facts\"><div><dt>Walkthrough</dt><dd>{}</dd></div><div><dt>Size</"
         "dt><dd>{}&times;{}</dd>"
-        "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Errors "
-        "against</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
+        "</div><div><dt>Target</dt><dd>{}</dd></div><div><dt>Measured</dt><dd>{}</dd></div>"
+        "<div><dt>Errors against</dt><dd>{}</dd></div><div><dt>Replayed</dt><dd>{} frames: {} "
         "bursts, {} singles, "
         "{} repeats{}</dd></div><div><dt>Scene</dt><dd>{} triangles, AO radius {} m</dd></div>"
         "<div><dt>Precision</dt><dd>{}</dd></div></dl>\n",
         escape_html(record.walkthrough), record.width, record.height, escape_html(record.target),
-        escape_html(record.reference.label), frames, bursts, record.segments.size() - bursts,
-        round.done.repeats.taken,
+        measures_pictures(record) ? "picture" : "visibility", escape_html(record.reference.label),
+        frames, bursts, record.segments.size() - bursts, round.done.repeats.taken,
         record.warm ? ", histories converged on the first pose of each" : "",
         record.scene_triangles, format_rounded(record.ao_radius_m), escape_html(record.precision));
 }
@@ -112,10 +112,15 @@ std::string make_round_section(const RunAnalysis& analysis, const RoundAnalysis&
     if (!round.round.image_frames.empty()) {
         text += fmt::format("<h3>Pictures</h3>\n<div class=\"viewer\" data-viewer=\"{}\"></div>\n",
                             round.round.id);
-        text +=
-            fmt::format("<p class=\"note\">The reference is {}. Error map: red is too dark, blue "
-                        "too bright, light grey is exact.</p>\n",
-                        escape_html(round.round.reference.label));
+        text += fmt::format("<p class=\"note\">The reference is {}. {}red is too dark, blue too "
+                            "bright, light grey is exact.</p>\n",
+                            escape_html(round.round.reference.label),
+                            measures_pictures(round.round)
+                                ? "Pictures are direct light and what the method adds to it, "
+                                  "behind the tone curve of Reinhard et al. 2002 with white at "
+                                  "4, as sRGB; errors are those of these pictures. Error map, of "
+                                  "luminance: "
+                                : "Error map: ");
         text += make_picture_sheet(round, finder);
     }
     return text + make_over_time(analysis, round, finder) + make_strata_tables(analysis, round) +

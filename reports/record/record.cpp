@@ -3,6 +3,7 @@
 #include "core/base/assert.hpp"
 #include "core/base/error.hpp"
 #include "core/base/file.hpp"
+#include "core/base/text.hpp"
 #include "reports/record/record_csv.hpp"
 #include "reports/record/record_json.hpp"
 
@@ -79,6 +80,11 @@ std::string join_tables(const fs::path& run, const PlanRecord& plan, const RunFo
 }
 
 } // namespace
+
+bool measures_pictures(const RoundRecord& round) {
+    const std::vector<std::string> entries = split(round.target, ',');
+    return std::find(entries.begin(), entries.end(), "output=radiance") != entries.end();
+}
 
 std::string_view to_text(SampleKind kind) {
     return kind == SampleKind::divided ? "divided" : "envelope";

@@ -62,7 +62,7 @@ struct MetricRow {
     std::optional<double> debiased;
     std::optional<double> floor; ///< what the reference's own noise would give
     std::string note;
-    std::string image_hash; ///< of the method's visibility, 16 hexadecimal digits
+    std::string image_hash; ///< of the image that is measured, 16 hexadecimal digits
 };
 
 struct SegmentRecord {
@@ -124,7 +124,7 @@ struct SavingRecord {
     double lower = 1.0; ///< 95 % interval
     double upper = 1.0;
     int n = 0;                       ///< repeats
-    double largest_difference = 0.0; ///< of visibility, over all pixels and frames
+    double largest_difference = 0.0; ///< of what is measured, over all pixels and frames
 };
 
 struct RoundRecord {
@@ -149,6 +149,10 @@ struct RoundRecord {
     std::size_t scene_triangles = 0;
     double ao_radius_m = 0.0;
 };
+
+/// Does its target, as describe(Target) writes it, ask for radiance? Then tone-mapped pictures are
+/// measured and kept, not visibility.
+[[nodiscard]] bool measures_pictures(const RoundRecord& round);
 
 /// MetricDescription::kind of an image metric's value over part of a frame, and of the count of its
 /// pixels: "METRIC[STRATUM]", "pixels[STRATUM]".

@@ -65,10 +65,11 @@ std::string describe_round(const RunAnalysis& analysis, const RoundAnalysis& rou
     for (const std::string& line : {describe_repeats(analysis, round), describe_outliers(round)}) {
         conditions += line.empty() ? "" : "  " + clean_text(line) + "\n";
     }
-    return fmt::format("{} {}x{}, {}, errors against {}\n{}{}  {}\n  {}; {}\n{}{}\n",
+    return fmt::format("{} {}x{}, {}, errors of {} against {}\n{}{}  {}\n  {}; {}\n{}{}\n",
                        clean_text(round.round.scene), round.round.width, round.round.height,
-                       clean_text(round.round.target), clean_text(round.round.reference.label),
-                       align_columns(lines),
+                       clean_text(round.round.target),
+                       measures_pictures(round.round) ? "pictures" : "visibility",
+                       clean_text(round.round.reference.label), align_columns(lines),
                        effects.empty() ? "" : "  " + clean_text(effects) + "\n",
                        clean_text(describe_verdict(round)), clean_text(describe_noise(round)),
                        clean_text(describe_floor(round)), conditions, make_time_table(round));

@@ -4,7 +4,7 @@ import type { Cell, Film, Round } from "./data";
 import { make, makeButton, makeSelect } from "./dom";
 
 /** Kinds that are shown at first, where the method has them. */
-const firstKinds = ["visibility", "reference", "error", "flicker", "age", "cause"];
+const firstKinds = ["visibility", "picture", "reference", "error", "flicker", "age", "cause"];
 /** Frames a second; 30 is the default step of a walkthrough. */
 const rates = [30, 15, 10, 5, 2];
 const firstRate = 10;

@@ -24,6 +24,7 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
         inputs.lights = &lights;
         inputs.noise_seed = kSeed;
         inputs.wants_history_state = settings.wants_history_state;
+        inputs.wants_visibility = true;
         if (settings.between != nullptr) {
             PassRecorder ignored(PassTiming::none);
             static_cast<void>(settings.between->render(inputs, ignored));
@@ -33,6 +34,9 @@ Shot shoot(gl::Context& context, Method& method, const Scene& scene, const ShotS
         const MethodOutput output = method.render(inputs, recorder);
         shot.passes = recorder.names();
         shot.visibility = gl::read_texture(gl, *output.visibility, 1);
+        if (output.radiance != nullptr) {
+            shot.radiance = gl::read_texture(gl, *output.radiance, 3);
+        }
         if (output.history_state != nullptr) {
             shot.history_state = gl::read_texture(gl, *output.history_state, 4);
         }

@@ -11,6 +11,7 @@ namespace alcove {
 /// What the last frame left behind.
 struct Shot {
     Image visibility;
+    Image radiance;      ///< empty if the method leaves none
     Image history_state; ///< empty unless it was asked for and the method has one
     std::vector<std::string> passes;
 };

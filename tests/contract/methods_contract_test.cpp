@@ -98,6 +98,7 @@ TEST_P(MethodContract, EveryParameterIsAliveOnTheCanary) {
         const Shot least = shoot_fresh(scene, resolve(least_overrides));
         const Shot most = shoot_fresh(scene, resolve(most_overrides));
         EXPECT_TRUE(hash_image(least.visibility) != hash_image(most.visibility) ||
+                    hash_image(least.radiance) != hash_image(most.radiance) ||
                     least.passes != most.passes)
             << info.name << " changes neither the image nor the passes";
     }

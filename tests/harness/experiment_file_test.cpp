@@ -68,7 +68,7 @@ skip = [{ where = { history_cap = 100, initial_samples = 64 }, reason = "too sho
     EXPECT_EQ(experiment.until_width, 0.01);
     EXPECT_EQ(experiment.time_limit_s, 120.0);
     EXPECT_EQ(experiment.most_repeats, 96);
-    EXPECT_EQ(experiment.reference.preset, "reference_480");
+    EXPECT_EQ(experiment.reference.value().preset, "reference_480");
     EXPECT_EQ(experiment.reference_rays_per_half, 32);
     EXPECT_EQ(experiment.metrics, (std::vector<std::string>{"rmse", "ssim"}));
     EXPECT_EQ(experiment.shuffle_seed, 9u);

@@ -60,12 +60,16 @@ TEST_F(MetricSpecTest, WhatIsNotDeclaredIsAnErrorThatNamesTheNearest) {
 }
 
 TEST_F(MetricSpecTest, RunsMeasureByDefaultWhatIsNotOnDemand) {
-    const std::vector<std::string> names = list_default_metrics(m_metrics);
-    const auto has = [&](const char* name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    EXPECT_TRUE(has("rmse") && has("ssim") && has("flip") && has("temporal_flicker"));
-    EXPECT_FALSE(has("hdr_flip") || has("ms_ssim") || has("template_metric"));
+    for (const bool has_pictures : {false, true}) {
+        const std::vector<std::string> names = list_default_metrics(m_metrics, has_pictures);
+        const auto has = [&](const char* name) {
+            return std::find(names.begin(), names.end(), name) != names.end();
+        };
+        EXPECT_TRUE(has("rmse") && has("ssim") && has("flip") && has("temporal_flicker"));
+        EXPECT_FALSE(has("hdr_flip") || has("ms_ssim") || has("template_metric"));
+        EXPECT_EQ(has("chroma_error"), has_pictures);
+        EXPECT_EQ(has("energy_ratio"), has_pictures);
+    }
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"
-#include "core/base/target.hpp"
 #include "core/base/text.hpp"
 
 #include <limits>
@@ -43,22 +42,6 @@ TEST(NearestName, CountsSwapsAsOneStep) {
     EXPECT_EQ(edit_distance("", "abc"), 3u);
     EXPECT_EQ(edit_distance("kitten", "sitting"), 3u);
     EXPECT_EQ(edit_distance("samples", "sampels"), 1u);
-}
-
-TEST(Target, DescriptionReadsBack) {
-    Target target;
-    target.radius_m = 0.123456789012345;
-    target.falloff = Falloff::quadratic;
-    target.weighting = Weighting::uniform;
-    target.normals = Normals::geometric;
-    EXPECT_EQ(parse_target(describe(target), {}), target);
-}
-
-TEST(Target, BadTargetsAreErrors) {
-    for (const char* wrong : {"radius=0", "radius=-1", "radius=inf", "falloff=cubic", "size=1",
-                              "radius=1,radius=2", "radius"}) {
-        EXPECT_THROW(static_cast<void>(parse_target(wrong, {})), InputError) << wrong;
-    }
 }
 
 } // namespace
