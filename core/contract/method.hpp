@@ -78,14 +78,14 @@ struct MethodInputs {
     /// Asks for MethodOutput::history_state. Never set while times are taken, and must not change
     /// the images.
     bool wants_history_state = false;
-    /// Asks a method that gives radiance for its visibility beside it; never while times are taken.
-    bool wants_visibility = false;
 };
 
 /// What it leaves. Textures stay the method's and hold until the next call. Not both images null.
 struct MethodOutput {
     const gl::Texture* visibility = nullptr; ///< R32F, the size of resize()
     const gl::Texture* radiance = nullptr;   ///< RGBA16F, linear Rec. 709, the same size
+    /// True: `radiance` is all light, and the G-buffer's direct light is not added to it.
+    bool replaces_direct_light = false;
     /// RGBA32F with the channels of HistoryChannel, border included; may be smaller than the view
     /// where the method works at a lower resolution. Only if it was asked for and the method has a
     /// history.

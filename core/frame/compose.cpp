@@ -15,10 +15,9 @@ Compose::Compose(const gl::Functions& gl, ImageSize size)
                 "core/frame/compose.frag.glsl") {}
 
 void Compose::render(const GBuffer& gbuffer, const SurroundingsView& surroundings,
-                     const Camera& camera, const gl::Texture* visibility,
-                     const gl::Texture* radiance, PassRecorder& passes,
+                     const Camera& camera, const ComposedImages& images, PassRecorder& passes,
                      const gl::Texture* pixel_depth) {
-    ALCOVE_ASSERT((visibility != nullptr) != (radiance != nullptr),
+    ALCOVE_ASSERT((images.visibility != nullptr) != (images.radiance != nullptr),
                   "a visibility or a radiance image");
     const bool is_multisampled = gbuffer.samples() > 1;
     ALCOVE_ASSERT(pixel_depth == nullptr || is_multisampled, "depths that samples choose by");
@@ -33,13 +32,15 @@ void Compose::render(const GBuffer& gbuffer, const SurroundingsView& surrounding
     m_gl.BindTextureUnit(0, gbuffer.texture(Channel::eye_depth).get());
     m_gl.BindTextureUnit(1, gbuffer.texture(Channel::albedo).get());
     m_gl.BindTextureUnit(2, gbuffer.texture(Channel::direct_light).get());
-    m_gl.BindTextureUnit(3, (visibility != nullptr ? visibility : radiance)->get());
+    m_gl.BindTextureUnit(
+        3, (images.visibility != nullptr ? images.visibility : images.radiance)->get());
     if (pixel_depth != nullptr) {
         m_gl.BindTextureUnit(4, pixel_depth->get());
     }
     m_gl.Uniform1i(program.location("samples"), gbuffer.samples());
     m_gl.Uniform1i(program.location("takes_nearest"), pixel_depth != nullptr ? 1 : 0);
-    m_gl.Uniform1i(program.location("is_radiance"), radiance != nullptr ? 1 : 0);
+    m_gl.Uniform1i(program.location("is_radiance"), images.radiance != nullptr ? 1 : 0);
+    m_gl.Uniform1i(program.location("adds_direct_light"), images.replaces_direct_light ? 0 : 1);
     m_gl.BindTextureUnit(5, gbuffer.texture(Channel::normal).get());
     m_gl.BindTextureUnit(6, surroundings.radiance->get());
     m_gl.BindTextureUnit(7, surroundings.prefiltered->get());

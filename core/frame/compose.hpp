@@ -13,19 +13,26 @@
 
 namespace alcove {
 
+/// What a method left: one of the two is not null.
+struct ComposedImages {
+    const gl::Texture* visibility = nullptr;
+    const gl::Texture* radiance = nullptr;
+    bool replaces_direct_light = false; ///< the radiance is all light
+};
+
 class Compose {
   public:
     Compose(const gl::Functions& gl, ImageSize size);
     /// The G-buffer may be multisampled: then every sample is shaded and their mean is the picture.
     /// direct + mean surrounding radiance x albedo x visibility, or direct + radiance where the
-    /// method gives that; linear Rec. 709, RGBA16F. The mean is that over the hemisphere around the
-    /// normal, weighted by the cosine: the ambient radiance where the scene has no environment.
-    /// One of the two textures is not null. The background shows the surroundings. `pixel_depth`,
-    /// of a multisampled G-buffer alone: eye depth at the pixels' centres, for which the method's
-    /// image was made; every sample takes the value of that of the 3x3 pixels around whose depth is
-    /// nearest to its own. Null: of its own pixel.
+    /// method gives that, or radiance alone where that is all light; linear Rec. 709, RGBA16F. The
+    /// mean is that over the hemisphere around the normal, weighted by the cosine: the ambient
+    /// radiance where the scene has no environment. The background shows the surroundings.
+    /// `pixel_depth`, of a multisampled G-buffer alone: eye depth at the pixels' centres, for which
+    /// the method's image was made; every sample takes the value of that of the 3x3 pixels around
+    /// whose depth is nearest to its own. Null: of its own pixel.
     void render(const GBuffer& gbuffer, const SurroundingsView& surroundings, const Camera& camera,
-                const gl::Texture* visibility, const gl::Texture* radiance, PassRecorder& passes,
+                const ComposedImages& images, PassRecorder& passes,
                 const gl::Texture* pixel_depth = nullptr);
     [[nodiscard]] const gl::Texture& picture() const noexcept { return m_picture; }
 

@@ -6,6 +6,7 @@ layout(binding = 7) uniform sampler2D prefiltered_texture;
 uniform mat3 map_from_view;
 uniform vec2 tangents;
 uniform bool is_radiance;
+uniform bool adds_direct_light;
 
 vec3 shade(vec3 albedo, vec3 direct, vec3 normal, vec3 method_value) {
     vec3 indirect = method_value;
@@ -13,7 +14,7 @@ vec3 shade(vec3 albedo, vec3 direct, vec3 normal, vec3 method_value) {
         vec2 place = encode_octahedral(map_from_view * normal);
         indirect = textureLod(prefiltered_texture, place, 0.0).rgb * albedo * method_value.r;
     }
-    return direct + indirect;
+    return adds_direct_light ? direct + indirect : indirect;
 }
 
 // What the surroundings show at a pixel. uv in [0,1], (0,0) bottom left.

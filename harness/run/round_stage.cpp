@@ -308,9 +308,10 @@ void RoundStage::compose(const MethodCell* cell, const MethodOutput& output, Pas
     PassRecorder recorder(timing, &m_timer);
     const Camera& camera = m_views.at(kBaseGBuffer).camera;
     // A method that gives both is shown by its radiance.
-    const gl::Texture* visibility = output.radiance != nullptr ? nullptr : output.visibility;
-    m_compose.render(*gbuffer, m_surroundings.look_through(camera), camera, visibility,
-                     output.radiance, recorder, pixel_depth);
+    const ComposedImages images{output.radiance != nullptr ? nullptr : output.visibility,
+                                output.radiance, output.replaces_direct_light};
+    m_compose.render(*gbuffer, m_surroundings.look_through(camera), camera, images, recorder,
+                     pixel_depth);
 }
 
 } // namespace alcove

@@ -202,24 +202,44 @@ class SceneExporter {
         return material;
     }
 
+    /// A node with a light whose strength is colour times intensity. It shines along its -z.
+    void add_light(nlohmann::json light, const glm::vec3& strength, const glm::dvec3& position,
+                   const glm::dvec3& backward) {
+        const double intensity = std::max({strength.x, strength.y, strength.z});
+        const glm::dvec3 color =
+            intensity > 0.0 ? glm::dvec3(strength) / intensity : glm::dvec3(1.0);
+        m_children.push_back(m_glb.add(
+            "nodes", {{"name", "light " + std::to_string(m_lights.size())},
+                      {"translation", to_json(position)},
+                      {"rotation", to_json(glm::rotation(glm::dvec3(0.0, 0.0, 1.0), backward))},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", m_lights.size()}}}}}}));
+        light["color"] = to_json(color);
+        light["intensity"] = intensity;
+        m_lights.push_back(std::move(light));
+    }
+
     void add_lights() {
-        nlohmann::json lights = nlohmann::json::array();
-        for (const DirectionalLight& light : m_scene.get_lights().directional) {
-            const glm::dvec3 irradiance(light.irradiance);
-            const double intensity = std::max({irradiance.x, irradiance.y, irradiance.z});
-            const glm::dvec3 color = intensity > 0.0 ? irradiance / intensity : glm::dvec3(1.0);
-            m_children.push_back(m_glb.add(
-                "nodes",
-                {{"name", "light " + std::to_string(lights.size())},
-                 {"rotation", to_json(glm::rotation(glm::dvec3(0.0, 0.0, 1.0), light.to_light))},
-                 {"extensions", {{"KHR_lights_punctual", {{"light", lights.size()}}}}}}));
-            lights.push_back(
-                {{"type", "directional"}, {"color", to_json(color)}, {"intensity", intensity}});
+        const Lights& lights = m_scene.get_lights();
+        for (const DirectionalLight& light : lights.directional) {
+            add_light({{"type", "directional"}}, light.irradiance, glm::dvec3(0.0), light.to_light);
         }
-        if (!lights.empty()) {
-            m_glb.use_extension("KHR_lights_punctual", {{"lights", std::move(lights)}});
+        for (const PointLight& light : lights.points) {
+            const glm::dvec3 position = light.position - m_scene.get_origin();
+            if (light.cone) {
+                add_light({{"type", "spot"},
+                           {"spot",
+                            {{"innerConeAngle", light.cone->inner_radians},
+                             {"outerConeAngle", light.cone->outer_radians}}}},
+                          light.intensity, position, -light.cone->direction);
+            } else {
+                add_light({{"type", "point"}}, light.intensity, position,
+                          glm::dvec3(0.0, 0.0, 1.0));
+            }
         }
-        if (m_scene.get_lights().ambient != glm::vec3(0.0f)) {
+        if (!m_lights.empty()) {
+            m_glb.use_extension("KHR_lights_punctual", {{"lights", std::move(m_lights)}});
+        }
+        if (lights.environment || lights.ambient != glm::vec3(0.0f)) {
             m_warnings.insert("the light of the surroundings is left out");
         }
     }
@@ -261,6 +281,7 @@ class SceneExporter {
     std::map<std::pair<std::size_t, bool>, std::size_t> m_meshes; ///< by mesh, turned or not
     std::map<MaterialKey, std::size_t> m_materials;
     std::vector<std::size_t> m_children;
+    nlohmann::json m_lights = nlohmann::json::array();
 };
 
 } // namespace

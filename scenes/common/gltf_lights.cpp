@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -34,8 +35,8 @@ std::optional<int> find_light(const GltfDocument& document, const tinygltf::Node
     return index;
 }
 
-DirectionalLight read_light(const tinygltf::Light& source, const glm::dmat4& world,
-                            const std::string& where) {
+/// Colour times intensity.
+glm::vec3 read_strength(const tinygltf::Light& source, const std::string& where) {
     glm::dvec3 color(1.0);
     if (!source.color.empty()) {
         if (source.color.size() != 3) {
@@ -44,41 +45,79 @@ DirectionalLight read_light(const tinygltf::Light& source, const glm::dmat4& wor
         }
         color = {source.color[0], source.color[1], source.color[2]};
     }
-    const glm::dvec3 irradiance = color * source.intensity;
+    const glm::dvec3 strength = color * source.intensity;
     for (int i = 0; i < 3; ++i) {
-        if (!(irradiance[i] >= 0.0 && irradiance[i] <= 1e12)) {
-            throw InputError(where, "colour or intensity out of range",
-                             format_number(irradiance[i]), "0 to 1e12");
+        if (!(strength[i] >= 0.0 && strength[i] <= 1e12)) {
+            throw InputError(where, "colour or intensity out of range", format_number(strength[i]),
+                             "0 to 1e12");
         }
     }
-    const glm::dvec3 backward(world[2]); // a light shines along -z
+    return glm::vec3(strength);
+}
+
+/// A light shines along -z of its node.
+glm::dvec3 read_backward(const glm::dmat4& world, const std::string& where) {
+    const glm::dvec3 backward(world[2]);
     if (!(glm::length(backward) > 0.0)) {
         throw InputError(where, "its node has no direction");
     }
-    return {glm::normalize(backward), glm::vec3(irradiance)};
+    return glm::normalize(backward);
 }
 
-void expose(std::vector<DirectionalLight>& lights, GltfWarnings& warnings) {
-    float brightest = 0.0f;
-    for (const DirectionalLight& light : lights) {
-        brightest =
-            std::max({brightest, light.irradiance.x, light.irradiance.y, light.irradiance.z});
+SpotCone read_cone(const tinygltf::SpotLight& source, const glm::dmat4& world,
+                   const std::string& where) {
+    const bool is_cone = source.innerConeAngle >= 0.0 &&
+                         source.innerConeAngle < source.outerConeAngle &&
+                         source.outerConeAngle <= 0.5 * std::numbers::pi;
+    if (!is_cone) {
+        throw InputError(where + ".spot", "is no cone",
+                         format_number(source.innerConeAngle) + " to " +
+                             format_number(source.outerConeAngle),
+                         "0 <= inner < outer <= pi / 2");
     }
-    if (brightest > kBrightest) {
-        for (DirectionalLight& light : lights) {
-            light.irradiance /= brightest;
-        }
-        warnings.insert("directional lights are scaled by 1/" + format_rounded(brightest) +
-                        ": the brightest has an irradiance of 1");
+    return {-read_backward(world, where), source.innerConeAngle, source.outerConeAngle};
+}
+
+float find_brightest(const glm::vec3& strength) {
+    return std::max({strength.x, strength.y, strength.z});
+}
+
+/// What all lights of a kind are divided by.
+float choose_exposure(float brightest, const char* kind, GltfWarnings& warnings) {
+    if (brightest <= kBrightest) {
+        return 1.0f;
+    }
+    warnings.insert(std::string(kind) + " lights are scaled by 1/" + format_rounded(brightest) +
+                    ": the brightest has an irradiance of 1");
+    return brightest;
+}
+
+void expose(Lights& lights, double diagonal_m, GltfWarnings& warnings) {
+    float brightest = 0.0f;
+    for (const DirectionalLight& light : lights.directional) {
+        brightest = std::max(brightest, find_brightest(light.irradiance));
+    }
+    const float directional = choose_exposure(brightest, "directional", warnings);
+    for (DirectionalLight& light : lights.directional) {
+        light.irradiance /= directional;
+    }
+    const auto squared = static_cast<float>(0.25 * diagonal_m * diagonal_m);
+    brightest = 0.0f;
+    for (const PointLight& light : lights.points) {
+        brightest = std::max(brightest, find_brightest(light.intensity) / squared);
+    }
+    const float points = choose_exposure(brightest, "point and spot", warnings);
+    for (PointLight& light : lights.points) {
+        light.intensity /= points;
     }
 }
 
 } // namespace
 
-std::vector<DirectionalLight> read_lights(const GltfDocument& document, const GltfTree& tree,
-                                          const std::vector<glm::dmat4>& world,
-                                          GltfWarnings& warnings) {
-    std::vector<DirectionalLight> lights;
+Lights read_lights(const GltfDocument& document, const GltfTree& tree,
+                   const std::vector<glm::dmat4>& world, double diagonal_m,
+                   GltfWarnings& warnings) {
+    Lights lights;
     const std::vector<bool> moving = find_moving(tree.nodes);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const auto& node = document.model->nodes[static_cast<std::size_t>(tree.indices[i])];
@@ -88,18 +127,31 @@ std::vector<DirectionalLight> read_lights(const GltfDocument& document, const Gl
         }
         const std::string where = document.name("lights", *index);
         const auto& source = document.model->lights[static_cast<std::size_t>(*index)];
-        if (source.type != "directional") {
-            warnings.insert("point and spot lights are not lit yet: " + where);
-        } else if (lights.size() == kMostLights) {
-            warnings.insert("more than 4 directional lights, ignored: " + where);
+        const bool is_directional = source.type == "directional";
+        if (!is_directional && source.type != "point" && source.type != "spot") {
+            throw InputError(where, "unknown type of light", source.type,
+                             "directional, point or spot");
+        }
+        const std::size_t count = is_directional ? lights.directional.size() : lights.points.size();
+        if (count == kMostLights) {
+            warnings.insert(std::string("more than 4 lights of a kind, ignored: ") + where);
+            continue;
+        }
+        const glm::vec3 strength = read_strength(source, where);
+        if (is_directional) {
+            lights.directional.push_back({read_backward(world[i], where), strength});
         } else {
-            lights.push_back(read_light(source, world[i], where));
-            if (moving[i]) {
-                warnings.insert("a moving light stays where it is at time 0: " + where);
+            PointLight light{glm::dvec3(world[i][3]), strength, std::nullopt};
+            if (source.type == "spot") {
+                light.cone = read_cone(source.spot, world[i], where);
             }
+            lights.points.push_back(light);
+        }
+        if (moving[i]) {
+            warnings.insert("a moving light stays where it is at time 0: " + where);
         }
     }
-    expose(lights, warnings);
+    expose(lights, diagonal_m, warnings);
     return lights;
 }
 

@@ -9,13 +9,15 @@
 
 namespace alcove {
 
-/// The directional lights of the tree's nodes where they stand at `world` (a matrix a node), at
-/// most 4. Irradiance is colour times lux; where the brightest is over 4, all are scaled to make
-/// it 1, since nothing here has an exposure. Point and spot lights, further ones and lights that
-/// move are named in `warnings`. Throws InputError.
-[[nodiscard]] std::vector<DirectionalLight> read_lights(const GltfDocument& document,
-                                                        const GltfTree& tree,
-                                                        const std::vector<glm::dmat4>& world,
-                                                        GltfWarnings& warnings);
+/// The lights of the tree's nodes where they stand at `world` (a matrix a node), at most 4
+/// directional and 4 points and spots, without shadow. Irradiance is colour times lux, intensity
+/// colour times candela; where the brightest directional light, or the brightest point at a
+/// distance of half of `diagonal_m` (the scene's, metres), gives an irradiance over 4, all of that
+/// kind are scaled to make it 1, since nothing here has an exposure. The range of a point is not
+/// looked at. Further lights and lights that move are named in `warnings`. Throws InputError.
+/// Lights::ambient is left to the caller.
+[[nodiscard]] Lights read_lights(const GltfDocument& document, const GltfTree& tree,
+                                 const std::vector<glm::dmat4>& world, double diagonal_m,
+                                 GltfWarnings& warnings);
 
 } // namespace alcove

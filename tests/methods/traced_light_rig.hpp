@@ -13,6 +13,9 @@ class LitScene final : public Scene {
   public:
     explicit LitScene(std::vector<Mesh> meshes, std::vector<Texture> textures = {},
                       glm::dvec3 origin = glm::dvec3(0.0));
+    /// For who takes them from the scene.
+    void set_lights(const Lights& lights) { m_lights = lights; }
+    void set_camera(const Camera& camera) { m_walkthrough.cameras = {camera}; }
 
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_meshes; }
     [[nodiscard]] std::span<const Object> get_objects() const override { return m_objects; }

@@ -178,10 +178,12 @@ TEST_F(GltfSurface, LightsFromTheFile) {
     parts.scene_nodes = "[0,1,2]";
     const std::string lights = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":)"
                                R"({"KHR_lights_punctual":{"lights":[{"type":"directional",)"
-                               R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"point"}]}})";
+                               R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"KIND"}]}})";
+    std::string kind = "point";
     const auto set_intensity = [&](const std::string& value) {
         parts.more = lights;
         parts.more.replace(parts.more.find("INTENSITY"), 9, value);
+        parts.more.replace(parts.more.find("KIND"), 4, kind);
     };
     set_intensity("2");
     const auto scene = open(parts.text());
@@ -189,7 +191,19 @@ TEST_F(GltfSurface, LightsFromTheFile) {
     const DirectionalLight& light = scene->get_lights().directional[0];
     EXPECT_LT(glm::distance(light.to_light, glm::dvec3(0.0, 1.0, 0.0)), 1e-9);
     EXPECT_EQ(light.irradiance, glm::vec3(2.0f, 1.0f, 0.0f));
-    EXPECT_TRUE(has_warning("lights[1]"));
+    ASSERT_EQ(scene->get_lights().points.size(), 1u);
+    EXPECT_FALSE(scene->get_lights().points[0].cone.has_value());
+    EXPECT_EQ(scene->get_lights().points[0].position, glm::dvec3(0.0));
+    kind = "spot";
+    set_intensity("2");
+    const auto spot = open(parts.text());
+    ASSERT_TRUE(spot->get_lights().points.at(0).cone.has_value());
+    EXPECT_EQ(spot->get_lights().points[0].cone->direction, glm::dvec3(0.0, 0.0, -1.0));
+    EXPECT_NEAR(spot->get_lights().points[0].cone->outer_radians, 0.7853981634, 1e-9);
+    kind = "lamp";
+    set_intensity("2");
+    expect_error(parts.text(), "lights[1]");
+    kind = "point";
     set_intensity("100000");
     EXPECT_EQ(open(parts.text())->get_lights().directional[0].irradiance,
               glm::vec3(1.0f, 0.5f, 0.0f));
