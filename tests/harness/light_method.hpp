@@ -15,8 +15,8 @@ struct LightLog {
 /// The visibility that "light_method" gives, everywhere.
 inline constexpr float kLightVisibility = 0.25f;
 
-/// "light_method:red=R,gives_both=B": the same radiance everywhere, (R, 0, 0). With gives_both it
-/// leaves its visibility unasked; with is_stubborn never.
+/// "light_method:red=R,gives_both=B,is_stubborn=S": the same radiance everywhere, (R, 0, 0). With
+/// gives_both it leaves its visibility unasked; with is_stubborn never.
 [[nodiscard]] MethodUnit make_light_method_unit(std::shared_ptr<LightLog> log);
 
 } // namespace alcove

@@ -17,11 +17,10 @@ PathSettings make_settings() {
     return settings;
 }
 
-/// Another scene under other surroundings.
+/// The boxes under other surroundings.
 class LitScene final : public Scene {
   public:
-    LitScene(TestScene scene, float ambient)
-        : m_scene(std::move(scene)), m_lights(m_scene.get_lights()) {
+    explicit LitScene(float ambient) : m_scene(make_box_scene()), m_lights(m_scene.get_lights()) {
         m_lights.ambient = glm::vec3(ambient);
     }
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_scene.get_meshes(); }
@@ -57,7 +56,7 @@ class Radiances : public testing::Test {
 };
 
 TEST_F(Radiances, AreDirectLightAndEachHalfReadBackBitForBit) {
-    const LitScene scene(make_box_scene(), 0.5f);
+    const LitScene scene(0.5f);
     const ReferencePair traced = get(scene, make_settings());
     EXPECT_FALSE(m_was_cached);
     EXPECT_EQ(traced.a.channels(), 3);
@@ -80,7 +79,7 @@ TEST_F(Radiances, AreDirectLightAndEachHalfReadBackBitForBit) {
 }
 
 TEST_F(Radiances, LightsAndEverySettingAreInTheKey) {
-    const LitScene scene(make_box_scene(), 0.5f);
+    const LitScene scene(0.5f);
     static_cast<void>(get(scene, make_settings()));
     const auto expect_new = [&](const char* what, const Scene& other, const PathSettings& settings,
                                 const char* tracer = "tracer-hash") {
@@ -89,7 +88,7 @@ TEST_F(Radiances, LightsAndEverySettingAreInTheKey) {
         static_cast<void>(get(other, settings, tracer));
         EXPECT_TRUE(m_was_cached) << what;
     };
-    expect_new("lights", LitScene(make_box_scene(), 0.25f), make_settings());
+    expect_new("lights", LitScene(0.25f), make_settings());
     expect_new("tracer", scene, make_settings(), "another");
     PathSettings settings = make_settings();
     settings.radius_m = 0.75;
