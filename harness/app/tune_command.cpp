@@ -57,7 +57,7 @@ TunePlan make_plan(const TuneFlags& flags, const std::string& command_line, cons
     plan.seed = static_cast<std::uint64_t>(flags.seed);
     if (!flags.reference.empty()) {
         plan.reference = parse_method_spec(flags.reference, "--reference");
-        check_method_spec(units.methods, plan.reference);
+        check_method_spec(units.methods, *plan.reference);
     }
     plan.command_line = command_line;
     return plan;

@@ -3,7 +3,7 @@
 #include "core/base/error.hpp"
 #include "harness/run/capture_store.hpp"
 #include "harness/run/gbuffer_store.hpp"
-#include "harness/run/reference_store.hpp"
+#include "harness/run/pair_cache.hpp"
 
 namespace alcove {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 bool is_intact(const CacheEntry& entry) {
     try {
         if (entry.kind == "references") {
-            return ReferenceStore::is_intact(entry.path);
+            return PairCache::is_intact(entry.path);
         }
         if (entry.kind == "gbuffers") {
             return GBufferStore::is_intact(entry.path);

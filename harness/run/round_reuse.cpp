@@ -48,6 +48,14 @@ std::string hash_shown(const RoundStage& stage) {
     return hasher.finish_hex();
 }
 
+std::string hash_lights_shown(const RoundStage& stage) {
+    Hasher hasher;
+    for (const RoundFrame& frame : stage.frames()) {
+        hasher.add(hash_lights(stage.scene(), frame.view.time_s));
+    }
+    return hasher.finish_hex();
+}
+
 } // namespace
 
 RoundReuse::RoundReuse(RoundStage& stage, std::filesystem::path run_folder)
@@ -105,6 +113,9 @@ CaptureIngredients RoundReuse::describe_round() const {
         {"sources that draw and capture", build.capture_id},
         {"compiler, driver and processor", describe_drawing(m_stage.context())},
     };
+    if (m_stage.measures_pictures()) {
+        ingredients.contents.push_back({"lights", hash_lights_shown(m_stage)});
+    }
     return ingredients;
 }
 

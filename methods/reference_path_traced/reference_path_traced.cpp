@@ -88,7 +88,12 @@ MethodUnit reference_path_traced_unit() {
     unit.parameters = make_table();
     unit.presets = {{"default", "64 rays in each of two halves", {}, 1.0, 2.0, ""}};
     unit.plane_response = 1.0;
-    unit.map_target = map_cosine_target;
+    unit.map_target = [](const Target& target) {
+        TargetMapping mapping = map_cosine_target(target);
+        mapping.overrides.push_back(
+            {"reach", std::string(to_text(target.reach)), Provenance::target});
+        return mapping;
+    };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         return std::make_unique<ReferencePathTraced>(context.functions(), resolved);
     };

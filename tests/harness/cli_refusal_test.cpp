@@ -46,6 +46,19 @@ TEST_F(Refusal, MistypedNamesGetTheNearest) {
                    {"liner", "nearest: linear"});
     expect_refused({"run", "--scene", "template_scene", "--target", "radus=1"}, 2,
                    {"radus", "nearest: radius"});
+    expect_refused({"run", "--scene", "template_scene", "--target", "output=radianc"}, 2,
+                   {"radianc", "nearest: radiance"});
+    expect_refused({"run", "--scene", "template_scene", "--regions", "floor,bx"}, 2,
+                   {"template_scene", "bx", "nearest: box"});
+}
+
+TEST_F(Refusal, WhatRadianceAloneHasIsNotAskedOfVisibilityAndTheOtherWayRound) {
+    expect_refused({"run", "--scene", "template_scene", "--target", "reach=full"}, 2,
+                   {"reach", "full", "output=radiance"});
+    expect_refused(
+        {"run", "--scene", "template_scene", "--target", "output=radiance", "--explain-errors"}, 2,
+        {"explain errors", "output=radiance"});
+    EXPECT_FALSE(std::filesystem::exists(folder() / "runs")) << "left behind by what was refused";
 }
 
 TEST_F(Refusal, ValuesOutOfRangeNameTheRange) {

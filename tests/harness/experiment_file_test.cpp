@@ -37,6 +37,7 @@ effects = "all"
 reference = "tssao@reference_480"
 reference_rays_per_half = 32
 metrics = ["rmse", "ssim"]
+regions = ["floor", "small red"]
 seed = 9
 
 [[scene]]
@@ -71,6 +72,7 @@ skip = [{ where = { history_cap = 100, initial_samples = 64 }, reason = "too sho
     EXPECT_EQ(experiment.reference.value().preset, "reference_480");
     EXPECT_EQ(experiment.reference_rays_per_half, 32);
     EXPECT_EQ(experiment.metrics, (std::vector<std::string>{"rmse", "ssim"}));
+    EXPECT_EQ(experiment.regions, (std::vector<std::string>{"floor", "small red"}));
     EXPECT_EQ(experiment.shuffle_seed, 9u);
     // history_cap is declared on a logarithmic scale, so its range steps by factors.
     std::vector<std::string> labels;

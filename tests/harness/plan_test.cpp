@@ -68,6 +68,65 @@ TEST(Plan, DefaultsOfTheExperimentReachTheRecord) {
     EXPECT_EQ(round.scene_triangles, 24u);
 }
 
+TEST(Plan, EachTargetHasItsOwnReferenceUnlessOneIsNamed) {
+    Experiment experiment = make_experiment({"none"});
+    experiment.targets = {"", "output=radiance", "output=radiance,reach=full"};
+    const PlanRecord plan = make_plan(experiment, get_units()).record;
+    ASSERT_EQ(plan.rounds.size(), 3u);
+    EXPECT_EQ(plan.rounds[0].reference.method, "reference_ray_traced");
+    EXPECT_EQ(plan.rounds[1].reference.method, "reference_path_traced");
+    EXPECT_EQ(find_parameter(plan.rounds[1].reference, "reach").value, "near");
+    EXPECT_EQ(find_parameter(plan.rounds[2].reference, "reach").value, "full");
+    EXPECT_FALSE(measures_pictures(plan.rounds[0]));
+    EXPECT_TRUE(measures_pictures(plan.rounds[1]));
+    experiment.reference = parse_method_spec("hemisphere_ssao", "--reference");
+    for (const RoundRecord& round : make_plan(experiment, get_units()).record.rounds) {
+        EXPECT_EQ(round.reference.method, "hemisphere_ssao");
+    }
+}
+
+TEST(Plan, RadianceMeasuresColoursAndKeepsTheLight) {
+    Experiment experiment = make_experiment({"none"});
+    experiment.effects = EffectsChoice::automatic;
+    const auto measures = [](const PlanRecord& plan, const char* metric) {
+        return std::any_of(plan.metrics.begin(), plan.metrics.end(),
+                           [&](const MetricDescription& m) { return m.name == metric; });
+    };
+    PlanRecord plan = make_plan(experiment, get_units()).record;
+    EXPECT_FALSE(measures(plan, "chroma_error"));
+    EXPECT_NE(plan.rounds.at(0).cells.at(2).effects.find("light_buffers"), std::string::npos);
+    experiment.targets = {"output=radiance"};
+    plan = make_plan(experiment, get_units()).record;
+    EXPECT_TRUE(measures(plan, "chroma_error"));
+    EXPECT_TRUE(measures(plan, "energy_ratio"));
+    EXPECT_EQ(plan.rounds.at(0).cells.at(2).effects.find("light_buffers"), std::string::npos);
+}
+
+TEST(Plan, RegionsAreColumnsOfTheirOwn) {
+    Experiment experiment = make_experiment({"none"});
+    experiment.metrics = {"rmse"};
+    experiment.regions = {"floor"};
+    const PlanRecord plan = make_plan(experiment, get_units()).record;
+    std::set<std::string> strata;
+    for (const MetricDescription& metric : plan.metrics) {
+        if (metric.kind == kStratumKind) {
+            strata.insert(metric.name);
+        }
+    }
+    EXPECT_EQ(strata, (std::set<std::string>{"pixels[floor]", "rmse[floor]"}));
+    experiment.regions = {"flor"};
+    expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 2,
+                 {"template_scene", "flor", "nearest: floor"});
+}
+
+TEST(Plan, ErrorsOfPicturesAreNotTakenApart) {
+    Experiment experiment = make_experiment({"none"});
+    experiment.explains_errors = true;
+    experiment.targets = {"output=radiance"};
+    expect_error([&] { static_cast<void>(make_plan(experiment, get_units())); }, 2,
+                 {"explain errors", "output=radiance"});
+}
+
 TEST(Plan, ProvenanceSaysWhereEachValueCameFrom) {
     const PlanRecord plan = plan_methods({"hemisphere_ssao@strong_blur:samples=32"});
     const CellRecord& cell = plan.rounds.at(0).cells.at(2);

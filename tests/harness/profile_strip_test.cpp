@@ -28,5 +28,20 @@ TEST(ProfileStrip, StacksTheMiddleRowOfEachFrameFromTopToBottom) {
     EXPECT_TRUE(strip.is_empty());
 }
 
+TEST(ProfileStrip, KeepsColours) {
+    ProfileStrip strip;
+    Image frame({2, 1}, 3);
+    frame.at(1, 0, 0) = 0.1f;
+    frame.at(1, 0, 2) = 0.3f;
+    strip.add(frame);
+    const Image image = strip.make_image();
+    ASSERT_EQ(image.channels(), 3);
+    for (int y = 0; y < ProfileStrip::kFrameHeight; ++y) {
+        EXPECT_EQ(image.at(0, y, 2), 0.0f);
+        EXPECT_EQ(image.at(1, y, 0), 0.1f);
+        EXPECT_EQ(image.at(1, y, 2), 0.3f);
+    }
+}
+
 } // namespace
 } // namespace alcove

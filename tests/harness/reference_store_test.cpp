@@ -220,8 +220,8 @@ TEST_F(References, AuditTracesAgainAndTellsADifferentBit) {
     EXPECT_EQ(auditing.audited(), 1u);
     // A file that is whole and says something else.
     const fs::path file = list_files(m_folder.path()).at(0);
-    EXPECT_TRUE(ReferenceStore::is_intact(file));
-    Image other(kSize, 2);
+    EXPECT_TRUE(PairCache::is_intact(file));
+    const Image other({kSize.width, 2 * kSize.height}, 1);
     write_exr(file, other, Domain::visibility);
     expect_error(
         [&] {

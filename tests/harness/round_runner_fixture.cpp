@@ -46,6 +46,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     std::vector<MethodUnit> units(shipped.methods.units().begin(), shipped.methods.units().end());
     units.push_back(make_history_method_unit(m_log));
     units.push_back(make_parts_method_unit(m_parts));
+    units.push_back(make_light_method_unit(m_light));
     const Units all{Registry<MethodUnit>("methods", std::move(units)), shipped.metrics,
                     shipped.scenes};
     Experiment experiment;
@@ -58,6 +59,8 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.audit_share = m_audit_share;
     experiment.explains_errors = m_explains_errors;
     experiment.measures_strata = m_measures_strata;
+    experiment.regions = m_regions;
+    experiment.targets = {m_target};
     for (const std::string& text : methods) {
         experiment.methods.push_back(parse_method_spec(text));
     }

@@ -4,6 +4,7 @@
 #include "harness/run/round_runner.hpp"
 #include "tests/core/gl/test_context.hpp"
 #include "tests/harness/history_method.hpp"
+#include "tests/harness/light_method.hpp"
 #include "tests/harness/parts_method.hpp"
 #include "tests/harness/temporary_folder.hpp"
 
@@ -35,7 +36,12 @@ class RoundRunnerTest : public GlTest {
                                                       SampleState state) const;
     [[nodiscard]] const std::vector<HistoryEntry>& log() const { return m_log->entries; }
     [[nodiscard]] const PartsLog& parts_log() const { return *m_parts; }
+    [[nodiscard]] const LightLog& light_log() const { return *m_light; }
 
+    /// Set before run(): over the scene's default target.
+    std::string m_target;
+    /// Set before run(): objects that are strata of their own.
+    std::vector<std::string> m_regions;
     /// Set before run(): what is measured against, instead of traced rays.
     std::string m_reference;
     /// Set before run(): what an earlier run of the test left in the cache is there. Otherwise only
@@ -56,6 +62,7 @@ class RoundRunnerTest : public GlTest {
     ScopedVariable m_cache;
     std::shared_ptr<HistoryLog> m_log;
     std::shared_ptr<PartsLog> m_parts = std::make_shared<PartsLog>();
+    std::shared_ptr<LightLog> m_light = std::make_shared<LightLog>();
     std::unique_ptr<Scene> m_scene;
     PlanRecord m_plan;
     RoundResult m_result;

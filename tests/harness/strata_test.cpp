@@ -1,6 +1,8 @@
 // Masks of strata on planted surfaces whose edges, corners and angles are known.
 #include "harness/run/strata.hpp"
 
+#include "tests/harness/expect_error.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -120,6 +122,34 @@ TEST(Strata, MovingAndDarkPixelsAreCounted) {
     const Image dark = get_stratum(surfaces, "dark", truth);
     EXPECT_EQ(count_pixels(dark), 1u);
     EXPECT_EQ(dark.at(7, 8), 1.0f);
+}
+
+const std::vector<Object> kObjects{{"floor", 0}, {"box", 1}, {"leg", 2}, {"leg", 2}};
+
+TEST(Regions, ShowAllObjectsOfTheirName) {
+    Image ids(kSize, 1);
+    ids.at(0, 0) = 1.0f; // the floor; 0 is background
+    ids.at(1, 0) = 3.0f;
+    ids.at(2, 0) = 4.0f;
+    const Image legs = make_region(ids, kObjects, "leg");
+    EXPECT_EQ(count_pixels(legs), 2u);
+    EXPECT_EQ(legs.at(1, 0) + legs.at(2, 0), 2.0f);
+    EXPECT_EQ(count_pixels(make_region(ids, kObjects, "floor")), 1u);
+    EXPECT_EQ(count_pixels(make_region(ids, kObjects, "box")), 0u);
+}
+
+TEST(Regions, AreNamesOfObjects) {
+    EXPECT_NO_THROW(check_regions({"leg", "floor"}, kObjects, "--regions"));
+    const auto refuse = [](const std::vector<std::string>& names, std::span<const Object> objects,
+                           std::initializer_list<const char*> parts) {
+        expect_error([&] { check_regions(names, objects, "--regions"); }, 2, parts);
+    };
+    refuse({"flor"}, kObjects, {"--regions", "flor", "nearest: floor"});
+    refuse({"floor", "floor"}, kObjects, {"twice"});
+    refuse({""}, kObjects, {"--regions"});
+    const std::vector<Object> odd{{"moving", 0}, {"a[1]", 0}};
+    refuse({"moving"}, odd, {"stratum"});
+    refuse({"a[1]"}, odd, {"brackets"});
 }
 
 } // namespace

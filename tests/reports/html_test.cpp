@@ -147,6 +147,27 @@ TEST(HtmlReport, AnEmptyRunHasAPage) {
     EXPECT_NE(page.find("waiting"), std::string::npos);
 }
 
+TEST(HtmlReport, ARoundOfRadianceShowsPicturesAndNamesTheirToneCurve) {
+    const TemporaryFolder folder;
+    const std::string page =
+        write_page(synthetic::write_run(folder.path(), {.images = true, .radiance = true}));
+    const std::size_t second = page.find("id=\"round-r1-");
+    ASSERT_NE(second, std::string::npos);
+    const std::string round = page.substr(0, second);
+    EXPECT_NE(round.find("<dt>Measured</dt><dd>picture</dd>"), std::string::npos);
+    EXPECT_NE(round.find("output=radiance,reach=near"), std::string::npos);
+    EXPECT_NE(round.find("tone curve of Reinhard et al. 2002"), std::string::npos);
+    EXPECT_NE(round.find("hemisphere_ssao/0006_picture.png"), std::string::npos);
+    EXPECT_NE(round.find("reference/0006_picture.png"), std::string::npos);
+    EXPECT_NE(round.find("reference/0040_film_picture.png"), std::string::npos);
+    EXPECT_EQ(round.find("<th>Visibility</th>"), std::string::npos);
+    EXPECT_EQ(round.find("<th>Shaded</th>"), std::string::npos);
+    EXPECT_EQ(round.find("<td class=\"absent\">not kept"), std::string::npos);
+    const std::string rest = page.substr(second);
+    EXPECT_NE(rest.find("<dt>Measured</dt><dd>visibility</dd>"), std::string::npos);
+    EXPECT_EQ(rest.find("tone curve"), std::string::npos);
+}
+
 TEST(HtmlReport, PicturesAreRelativeToThePage) {
     const TemporaryFolder folder;
     const RunFolder run = synthetic::write_run(folder.path() / "run 1", {.images = true});

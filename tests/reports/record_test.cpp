@@ -356,6 +356,19 @@ TEST(RunFolder, ADamagedRoundIsNamed) {
                          "done.json: schema_version: the key is missing"));
 }
 
+TEST(RoundRecord, MeasuresPicturesWhereItsTargetIsRadiance) {
+    RoundRecord round;
+    for (const char* target :
+         {"", "radius=1", "radius=1,output=visibility", "my-output=radiance"}) {
+        round.target = target;
+        EXPECT_FALSE(measures_pictures(round)) << target;
+    }
+    for (const char* target : {"output=radiance", "radius=1,output=radiance,reach=full"}) {
+        round.target = target;
+        EXPECT_TRUE(measures_pictures(round)) << target;
+    }
+}
+
 TEST(RunFolder, ImagePaths) {
     EXPECT_EQ(RunFolder::make_image_path("r0-balls", "reference", 7, "visibility"),
               "images/r0-balls/reference/0007_visibility.png");

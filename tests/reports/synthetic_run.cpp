@@ -175,10 +175,15 @@ void write_pictures(const fs::path& run, const RoundRecord& round, const std::st
             map.at(x, y, 2) = difference > 0.0f ? 1.0f : 1.0f + difference;
         }
     }
-    write_png(run / RunFolder::make_image_path(round.id, cell, frame, "visibility"), visibility,
-              Domain::view);
-    write_png(run / RunFolder::make_image_path(round.id, cell, frame, "shaded"), shaded,
-              Domain::view);
+    if (measures_pictures(round)) {
+        write_png(run / RunFolder::make_image_path(round.id, cell, frame, "picture"), shaded,
+                  Domain::view);
+    } else {
+        write_png(run / RunFolder::make_image_path(round.id, cell, frame, "visibility"), visibility,
+                  Domain::view);
+        write_png(run / RunFolder::make_image_path(round.id, cell, frame, "shaded"), shaded,
+                  Domain::view);
+    }
     if (cell != "reference") {
         write_png(run / RunFolder::make_image_path(round.id, cell, frame, "error"), map,
                   Domain::srgb);
@@ -203,13 +208,14 @@ void write_film_frame(const fs::path& run, const RoundRecord& round, const std::
 }
 
 void write_film(const fs::path& run, const RoundRecord& round) {
+    const std::string measured = measures_pictures(round) ? "film_picture" : "film_visibility";
     for (int frame = round.film.begin; frame < round.film.end; ++frame) {
-        write_film_frame(run, round, "reference", frame, {"film_visibility"});
+        write_film_frame(run, round, "reference", frame, {measured});
         for (const CellRecord& cell : round.cells) {
             if (cell.role != CellRole::method) {
                 continue;
             }
-            std::vector<std::string> pictures = {"film_visibility", "film_error"};
+            std::vector<std::string> pictures = {measured, "film_error"};
             if (frame > round.film.begin) {
                 pictures.emplace_back("film_temporal_flicker");
             }
@@ -319,6 +325,10 @@ PlanRecord make_plan(const Options& options) {
     plan.reference_rays_per_half = 256;
     plan.rounds = {make_round("r0-balls", "balls:speed=fast"),
                    make_round("r1-courtyard", "courtyard")};
+    if (options.radiance) {
+        plan.rounds[0].target =
+            "radius=0.5,falloff=linear,weighting=cosine,normals=shading,output=radiance,reach=near";
+    }
     plan.rounds[0].film = kFilm;
     plan.rounds[0].events = {{4, "ball rolls"}, {40, "cut"}, {44, "box lifts"}, {60, "unseen"}};
     plan.rounds[1].events = {{80, "cut"}};

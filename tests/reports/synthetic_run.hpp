@@ -15,6 +15,7 @@ struct Options {
     int finished_rounds = 2; ///< of two
     bool hostile = false;    ///< markup and script ends in every text that people read
     bool images = false;
+    bool radiance = false; ///< the first round measures pictures
 };
 
 /// Segments of a round: three bursts of 16 and eight singles, as the default suite has for 96

@@ -1,5 +1,5 @@
 // Writes synthetic runs with their pages for the browser test (tests/web): FOLDER/complete,
-// FOLDER/hostile.
+// FOLDER/hostile, FOLDER/radiance.
 
 #include "core/base/error.hpp"
 #include "reports/csv/summary_csv.hpp"
@@ -21,6 +21,8 @@ int main(int argc, char** argv) {
         write_summary_csv(complete, analyze_run(complete));
         write_tradeoff_csv(complete, analyze_run(complete));
         write_html_report(complete, {});
+        write_html_report(
+            synthetic::write_run(folder / "radiance", {.images = true, .radiance = true}), {});
         const RunFolder hostile = synthetic::write_run(
             folder / "hostile", {.finished_rounds = 1, .hostile = true, .images = true});
         const RoundRecord& waiting = hostile.plan().rounds[1];

@@ -105,6 +105,26 @@ const tests = {
     await close();
   },
 
+  async "a round of radiance shows its pictures, and the film begins with them"(browser, folder) {
+    const { page, troubles, close } = await openReport(browser, folder, "radiance");
+    const viewer = page.locator('[data-viewer="r0-balls"]');
+    const images = viewer.locator(".pane img");
+    assert.equal(await images.first().getAttribute("src"), "../images/r0-balls/hemisphere_ssao/0006_picture.png");
+    await waitForImage(images.first());
+    await viewer.getByRole("button", { name: "Reference", exact: true }).click();
+    assert.match(await images.first().getAttribute("src"), /reference\/0006_picture/);
+    assert.equal(await viewer.getByRole("button", { name: "Shaded" }).count(), 0);
+    const film = page.locator('[data-film="r0-balls"]');
+    await film.scrollIntoViewIfNeeded();
+    const sources = await film.locator("img:visible").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
+    assert.deepEqual(sources.slice(0, 2),
+      ["../images/r0-balls/tssao/0040_film_picture.png", "../images/r0-balls/reference/0040_film_picture.png"]);
+    assert.match(await page.locator("#round-r0-balls").textContent(), /tone curve of Reinhard/);
+    assert.match(await page.locator('[data-viewer="r1-courtyard"] .pane img').first().getAttribute("src"), /_visibility/);
+    assert.deepEqual(troubles, []);
+    await close();
+  },
+
   async "wipe and side by side compare with the reference under one zoom"(browser, folder) {
     const { page, troubles, close } = await openReport(browser, folder, "complete");
     const viewer = page.locator('[data-viewer="r0-balls"]');
