@@ -255,7 +255,7 @@ TEST(PathTracerRules, BouncesHaveTheSendersColour) {
     coloured.colors.assign(4, red);
     const Image by_albedo = measure(paint(square, red), {});
     const Image by_colour = measure(coloured, {});
-    EXPECT_GT(compute_average(by_albedo).x, 0.05);
+    EXPECT_GT(compute_average(by_albedo).x, 0.02);
     EXPECT_NEAR(compute_average(by_albedo).y / compute_average(by_albedo).x, 1.0 / 7.0, 1e-5);
     EXPECT_LT(find_largest_difference(by_albedo, by_colour), 1e-6f);
 
