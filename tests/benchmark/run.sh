@@ -6,7 +6,8 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
 cmake --build "$root/build/release" --target alcove benchmark_metrics benchmark_tracer \
-    benchmark_path_tracer benchmark_overhead benchmark_tssao benchmark_statvo benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
+    benchmark_path_tracer benchmark_overhead benchmark_tssao benchmark_statvo benchmark_dashboard \
+    benchmark_gbuffer_cache benchmark_culling > /dev/null ||
     exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
