@@ -1,6 +1,6 @@
 #pragma once
 // Lighting as options of a scene's specification, beside the scene's own: "colour_blocks:
-// environment=sky,shadows=on", "mine.glb:environment=studio.hdr".
+// environment=sky,shadows=true", "mine.glb:environment=studio.hdr".
 
 #include "core/base/text.hpp"
 #include "scenes/common/lighting.hpp"

@@ -7,7 +7,7 @@
 // that contains it is free.
 #include "core/frame/reconstruct.glsl"
 #include "methods/common/hemisphere_estimator.glsl"
-#include "layer_counts.glsl" // kLayers, kViews, kIsClamped
+#include "layer_counts.glsl"
 layout(binding = 0) uniform sampler2D eye_depth_texture;
 layout(binding = 5) uniform sampler2D layer_depth_texture[3]; // layers 2 to 4
 layout(binding = 8) uniform sampler2D view_depth_texture[4];

@@ -157,7 +157,7 @@ std::vector<Preset> make_presets() {
          make_overrides({{"samples", "16"}, {"bias", "0"}}), 8.0, 14.0,
          "no depth bias, as published: a tilted plane blocks itself"},
         {"converged", "the estimator's own limit: 256 samples, no blur",
-         make_overrides({{"samples", "256"}, {"blur", "off"}}), 1.0, 2.0, ""},
+         make_overrides({{"samples", "256"}, {"blur", "false"}}), 1.0, 2.0, ""},
     };
 }
 

@@ -77,11 +77,11 @@ ParameterTable make_table() {
                 .meaning("Area of a sender's patch.")
                 .source(kRitschel2009),
             real(&P::distance_clamp, "distance_clamp")
-                .range(1e-4, 10.0)
+                .range(1e-6, 10.0)
                 .log_scale()
                 .unit("m")
                 .symbol("d")
-                .default_expression("0.25*radius")
+                .default_expression("0.5*radius")
                 .meaning("Least distance of a sender.")
                 .source("Ritschel et al. 2009: 1; in radii: ours"),
             describe_tile_blur(&P::blur),
@@ -93,7 +93,7 @@ std::vector<Preset> make_presets() {
     const char* const kNoBias = "no depth bias, as published: a tilted plane blocks itself";
     return {
         {"default", "16 samples in 4x4 sets, one bounce", {}, 1.0, 2.0, ""},
-        {"direct", "without bounce", make_overrides({{"bounce", "off"}}), 1.0, 2.0, ""},
+        {"direct", "without bounce", make_overrides({{"bounce", "false"}}), 1.0, 2.0, ""},
         {"paper_8", "as published: 8 samples, no bias, distances clamped to 1 unit",
          make_overrides({{"samples", "8"}, {"bias", "0"}, {"distance_clamp", "1"}}), 8.0, 14.0,
          kNoBias},
@@ -105,7 +105,7 @@ std::vector<Preset> make_presets() {
         {"four_views", "four further cameras at half resolution", make_overrides({{"views", "4"}}),
          1.0, 2.0, ""},
         {"converged", "the estimator's own limit: 256 samples, no blur",
-         make_overrides({{"samples", "256"}, {"blur", "off"}}), 1.0, 2.0, ""},
+         make_overrides({{"samples", "256"}, {"blur", "false"}}), 1.0, 2.0, ""},
     };
 }
 

@@ -7,7 +7,7 @@ float get_thickness() {
 }
 #include "methods/common/set_sampling.glsl"
 #include "core/frame/octahedral.glsl"
-#include "direct_outputs.glsl" // kGivesVisibility, SENDS
+#include "direct_outputs.glsl"
 layout(binding = 4) uniform sampler2D surroundings_texture;
 uniform mat3 map_from_view;
 layout(location = 0) out vec4 incoming; // rgb: mean incoming radiance, a: eye depth

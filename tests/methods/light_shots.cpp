@@ -57,7 +57,7 @@ LightShot LightShotTest::shoot(const MethodUnit& unit, const std::string& settin
 
 std::unique_ptr<Scene> open_lit_scene(const std::string& name, const std::string& own,
                                       const std::string& lighting) {
-    const SceneUnit& unit = scenes_registry().find(name);
+    const SceneUnit unit = scenes_registry().find(name);
     Lighting light;
     light.params = lighting_table().bind<LightingParams>(
         lighting_table().resolve(read_overrides(lighting), {}));
