@@ -84,7 +84,7 @@ TEST_F(SsdoTest, ShadowsUnderTwoColoursHaveColourAndThoseOfAmbientOcclusionHaveN
         shoot(ssdo_unit(), "bounce=false,radius=0.0001", *scene, kSize);
     const LightShot ambient = shoot(ssao_environment_unit(), "", *scene, kSize);
     const LightShot open_ambient = shoot(ssao_environment_unit(), "radius=0.0001", *scene, kSize);
-    EXPECT_GT(measure_shadow_chroma(directional, open_directional), 0.1);
+    EXPECT_GT(measure_shadow_chroma(directional, open_directional), 0.05);
     EXPECT_LT(measure_shadow_chroma(ambient, open_ambient), 0.01);
 }
 
