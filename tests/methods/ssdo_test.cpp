@@ -91,7 +91,8 @@ TEST_F(SsdoTest, ShadowsUnderTwoColoursHaveColourAndThoseOfAmbientOcclusionHaveN
 /// Of colour_blocks.
 constexpr glm::vec3 kSun(1.0f, 0.97f, 0.9f);
 
-/// Red minus blue, both against the light's own, that bounces onto pixels whose own albedo is grey, over all of them.
+/// Red minus blue, both against the light's own, that bounces onto pixels whose own albedo is grey,
+/// over all of them.
 double measure_yellow(const LightShot& with, const LightShot& without) {
     double sum = 0.0;
     for (std::size_t i = 0; i < with.eye_depth.values().size(); ++i) {
@@ -133,6 +134,53 @@ TEST_F(SsdoTest, BounceStrengthScalesTheBounceAndNothingElse) {
     const glm::dvec3 second = compute_average(twice.radiance) - compute_average(none.radiance);
     EXPECT_GT(first.x, 1e-3);
     EXPECT_NEAR(second.x / first.x, 2.0, 0.01);
+}
+
+/// A wall with a thin slab hovering before it: from most of the wall's neighbourhood of the slab,
+/// points behind the slab are in the open.
+LitScene make_slab_scene() {
+    LitScene scene(
+        {make_wall(20.0f, -5.0f), make_box({-0.4f, -0.4f, -4.62f}, {0.4f, 0.4f, -4.6f})});
+    scene.set_lights(make_surroundings(glm::vec3(1.0f)));
+    scene.set_camera(make_forward_camera());
+    return scene;
+}
+
+/// Root mean square error of visibility against traced visibility, over the wall.
+double measure_wall_error(const LightShot& shot, const Image& truth) {
+    double sum = 0.0;
+    int count = 0;
+    for (std::size_t i = 0; i < truth.values().size(); ++i) {
+        if (std::abs(shot.eye_depth.values()[i] - 5.0f) < 0.01f) {
+            const double difference = shot.visibility.values()[i] - truth.values()[i];
+            sum += difference * difference;
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 1000);
+    return std::sqrt(sum / count);
+}
+
+// Ritschel et al. 2009, figure 5: sample A lies behind a solid and in the open; one layer cannot
+// know. Sample B misses a blocker; more samples find it.
+TEST_F(SsdoTest, SecondLayerMendsPointsBehindASolidAndMoreSamplesMendMissedBlockers) {
+    const LitScene scene = make_slab_scene();
+    PathSettings settings;
+    settings.radius_m = 0.6;
+    settings.rays_per_half = 128;
+    const Image truth =
+        trace_light(scene, make_forward_camera(), scene.get_lights(), settings).visibility;
+    const auto measure = [&](const std::string& more) {
+        return measure_wall_error(
+            shoot(ssdo_unit(), "radius=0.6,bounce=false,fade=0.99," + more, scene, kTracedSize),
+            truth);
+    };
+    const double one = measure("samples=256,blur=false");
+    const double two = measure("samples=256,blur=false,layers=2");
+    EXPECT_LT(two, 0.7 * one) << "A";
+    const double few = measure("samples=4,tile=1,blur=false,layers=2");
+    const double many = measure("samples=64,tile=1,blur=false,layers=2");
+    EXPECT_LT(many, 0.7 * few) << "B";
 }
 
 } // namespace
