@@ -1,6 +1,6 @@
 #include "methods/shadow_correction/shadow_correction.hpp"
 
-#include "methods/common/estimator_parameters.hpp"
+#include "methods/common/shadow_parameters.hpp"
 #include "methods/common/unit_parts.hpp"
 #include "methods/shadow_correction/shadow_correction_renderer.hpp"
 
@@ -34,61 +34,23 @@ ParameterTable make_table() {
                 .unit("texels")
                 .meaning("Side of the map of a light of the scene.")
                 .source(kRitschel2009),
-            choice(&P::bias, "bias", {"none", "slope", "clamped"})
-                .alive_with("environment_lights=8,correction=false")
-                .symbol("b")
-                .meaning("Of a map: none; p / 2 tan alpha; the same up to 80 degrees and one "
-                         "radius.")
-                .source("Ritschel et al. 2009; limits ours"),
-            real(&P::bias_scale, "bias_scale")
-                .range(0.0, 4.0)
-                .alive_with("environment_lights=8,correction=false")
-                .unit("p / 2")
-                .meaning("Factor on the bias: 1 as published holds for slopes along a row of "
-                         "texels, 1.41 along their diagonal; more allows for rounding.")
-                .source("ours"),
-            boolean(&P::correction, "correction")
-                .rebuild()
-                .alive_with("environment_lights=8")
-                .meaning("Samples between a point that its map calls lit and the light.")
-                .source(kRitschel2009),
+            describe_map_bias(&P::bias).alive_with("environment_lights=8,correction=false"),
+            describe_map_bias_scale(&P::bias_scale)
+                .alive_with("environment_lights=8,correction=false"),
+            describe_correction(&P::correction).alive_with("environment_lights=8"),
             choice(&P::segment, "segment", {"bias", "radius"})
                 .rebuild()
                 .alive_with("environment_lights=8")
                 .meaning("Where they lie: from the point as far as the map's bias reaches, or as "
                          "far as the radius.")
                 .source(kRitschel2009),
-            integer(&P::correction_samples, "correction_samples")
-                .range(1, 256)
-                .log_scale()
-                .rebuild()
+            describe_correction_samples(&P::correction_samples)
                 .alive_with("environment_lights=8,segment=radius")
-                .unit("samples")
-                .symbol("k")
-                .meaning("Samples a pixel and light: 16 with one layer, 8 with more in figure 9.")
-                .source(kRitschel2009),
-            integer(&P::layers, "layers")
-                .range(1, kMostLayers)
-                .rebuild()
-                .alive_with("environment_lights=8,segment=radius")
-                .unit("layers")
-                .meaning("Depth layers that the samples are compared with: 2 and 4 end solids "
-                         "where their backs are.")
-                .source(kRitschel2009),
-            real(&P::thickness, "thickness")
-                .range(1e-3, std::numeric_limits<double>::infinity())
-                .log_scale()
-                .alive_with("environment_lights=8,segment=radius")
-                .unit("m")
-                .meaning("Depth of solids whose back no layer knows.")
-                .source("ours; inf: Ritschel et al. 2009"),
-            real(&P::screen_bias, "screen_bias")
-                .range(0.0, 4.0)
-                .alive_with("environment_lights=8,segment=radius")
-                .unit("half pixel footprints")
-                .meaning("Depth bias of the screen-space test along the receiver's tangent plane; "
-                         "1 is exact for planes at any tilt.")
-                .source("ours"),
+                .meaning("Samples a pixel and light: 16 with one layer, 8 with more in figure 9."),
+            describe_correction_layers(&P::layers)
+                .alive_with("environment_lights=8,segment=radius"),
+            describe_thickness(&P::thickness).alive_with("environment_lights=8,segment=radius"),
+            describe_screen_bias(&P::screen_bias).alive_with("environment_lights=8,segment=radius"),
             integer(&P::environment_lights, "environment_lights")
                 .range(0, 1024)
                 .rebuild()

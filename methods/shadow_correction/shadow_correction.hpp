@@ -5,14 +5,12 @@
 // image space. 2009, sections 4 and 5, figures 6 and 8 to 10.
 
 #include "core/contract/method.hpp"
+#include "methods/common/shadow_parameters.hpp"
 
 #include <limits>
 
 namespace alcove {
 
-/// What a map's bias follows: nothing, the slope as published, or the slope up to 80 degrees and
-/// one radius.
-enum class MapBias { none, slope, clamped };
 /// How far towards a light the screen is searched: the map's bias, or the radius.
 enum class SegmentLength { bias, radius };
 
