@@ -311,7 +311,6 @@ void RowTracer::gather(const TracedSurface& surface, Gathered& gathered, std::ui
     const bool needs_hits = m_scope.settings.bounces > 0;
     std::array<float, kBundle> weights;
     SobolBundles::Points sobol;
-    BundleDirections directions;
     RayBundle& bundle = m_receiver_rays;
     std::fill_n(bundle.rays.ray.org_x, kBundle, surface.origin.x);
     std::fill_n(bundle.rays.ray.org_y, kBundle, surface.origin.y);
@@ -319,7 +318,7 @@ void RowTracer::gather(const TracedSurface& surface, Gathered& gathered, std::ui
     for (unsigned first = 0; first < rays; first += kBundle) {
         const unsigned count = std::min(kBundle, rays - first);
         m_scope.points.scramble(first, seed, sobol);
-        make_directions(sobol, Weighting::cosine, frame, directions);
+        const BundleDirections directions = make_directions(sobol, Weighting::cosine, frame);
         std::copy_n(directions.x.data(), kBundle, bundle.rays.ray.dir_x);
         std::copy_n(directions.y.data(), kBundle, bundle.rays.ray.dir_y);
         std::copy_n(directions.z.data(), kBundle, bundle.rays.ray.dir_z);

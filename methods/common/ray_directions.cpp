@@ -12,7 +12,7 @@ constexpr unsigned kBundle = SobolBundles::kPoints;
 
 /// cos and sin of 2 pi u for u in [0,1], within 1e-7: polynomials over an eighth of a turn to
 /// either side of the nearest quarter. Without branches, so that a loop over lanes becomes one over
-/// vectors.
+/// vectors, which it must be inlined for: one caller.
 void compute_turn(float u, float& cosine, float& sine) {
     // floor(4 u + 1/2)
     const std::int32_t quarter = static_cast<std::int32_t>(8.0f * u + 1.0f) >> 1;
@@ -38,8 +38,8 @@ glm::mat3 make_frame(const glm::vec3& n) {
             glm::vec3(b, s + n.y * n.y * a, -n.y), n};
 }
 
-void make_directions(const SobolBundles::Points& points, Weighting weighting,
-                     const glm::mat3& frame, BundleDirections& directions) {
+BundleDirections make_directions(const SobolBundles::Points& points, Weighting weighting,
+                                 const glm::mat3& frame) {
     alignas(64) std::array<float, kBundle> z;
     alignas(64) std::array<float, kBundle> horizontal;
     for (unsigned lane = 0; lane < kBundle; ++lane) {
@@ -49,25 +49,28 @@ void make_directions(const SobolBundles::Points& points, Weighting weighting,
         z[lane] = weighting == Weighting::cosine ? std::sqrt(rest) : rest;
         horizontal[lane] = std::sqrt(std::max(0.0f, 1.0f - z[lane] * z[lane]));
     }
+    // A copy, so that the compiler sees that no store changes it: else there are no vectors.
+    const std::array<glm::vec3, 3> axes{frame[0], frame[1], frame[2]};
+    BundleDirections directions;
     for (unsigned lane = 0; lane < kBundle; ++lane) {
         float cosine = 0.0f;
         float sine = 0.0f;
         compute_turn(points.y[lane], cosine, sine);
         const float x = horizontal[lane] * cosine;
         const float y = horizontal[lane] * sine;
-        directions.x[lane] = frame[0].x * x + frame[1].x * y + frame[2].x * z[lane];
-        directions.y[lane] = frame[0].y * x + frame[1].y * y + frame[2].y * z[lane];
-        directions.z[lane] = frame[0].z * x + frame[1].z * y + frame[2].z * z[lane];
+        directions.x[lane] = axes[0].x * x + axes[1].x * y + axes[2].x * z[lane];
+        directions.y[lane] = axes[0].y * x + axes[1].y * y + axes[2].y * z[lane];
+        directions.z[lane] = axes[0].z * x + axes[1].z * y + axes[2].z * z[lane];
     }
+    return directions;
 }
 
 glm::vec3 make_cosine_direction(const glm::vec2& point, const glm::vec3& normal) {
-    float cosine = 0.0f;
-    float sine = 0.0f;
-    compute_turn(point.y, cosine, sine);
+    const float azimuth = 2.0f * std::numbers::pi_v<float> * point.y;
     const float horizontal = std::sqrt(point.x);
-    return make_frame(normal) *
-           glm::vec3(horizontal * cosine, horizontal * sine, std::sqrt(1.0f - point.x));
+    return make_frame(normal) * glm::vec3(horizontal * std::cos(azimuth),
+                                          horizontal * std::sin(azimuth),
+                                          std::sqrt(1.0f - point.x));
 }
 
 } // namespace alcove

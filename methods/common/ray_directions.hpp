@@ -24,8 +24,8 @@ struct BundleDirections {
 [[nodiscard]] glm::mat3 make_frame(const glm::vec3& n);
 
 /// Directions about the frame's third axis: of density cos / pi, or uniform.
-void make_directions(const SobolBundles::Points& points, Weighting weighting,
-                     const glm::mat3& frame, BundleDirections& directions);
+[[nodiscard]] BundleDirections make_directions(const SobolBundles::Points& points,
+                                               Weighting weighting, const glm::mat3& frame);
 
 /// One direction of density cos / pi about the unit vector `normal`; `point` in [0,1)^2.
 [[nodiscard]] glm::vec3 make_cosine_direction(const glm::vec2& point, const glm::vec3& normal);

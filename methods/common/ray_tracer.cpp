@@ -64,10 +64,10 @@ float RayTracer::State::trace_half(const Receiver& receiver, std::uint32_t seed,
         bundle.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
     }
     SobolBundles::Points sobol;
-    BundleDirections directions;
     for (unsigned first = 0; first < rays; first += kBundle) {
         points.scramble(first, seed, sobol);
-        make_directions(sobol, settings.target.weighting, frame, directions);
+        const BundleDirections directions =
+            make_directions(sobol, settings.target.weighting, frame);
         std::copy_n(directions.x.data(), kBundle, bundle.ray.dir_x);
         std::copy_n(directions.y.data(), kBundle, bundle.ray.dir_y);
         std::copy_n(directions.z.data(), kBundle, bundle.ray.dir_z);

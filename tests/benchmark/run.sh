@@ -5,8 +5,9 @@ set -u
 root=$(cd "$(dirname "$0")/../.." && pwd)
 bin="$root/build/release/tests/benchmark"
 program="$root/build/release/harness/app/alcove"
-cmake --build "$root/build/release" --target alcove benchmark_metrics benchmark_tracer benchmark_overhead \
-    benchmark_tssao benchmark_statvo benchmark_dashboard benchmark_gbuffer_cache benchmark_culling > /dev/null ||
+cmake --build "$root/build/release" --target alcove benchmark_metrics benchmark_tracer \
+    benchmark_path_tracer benchmark_overhead benchmark_tssao benchmark_statvo benchmark_dashboard \
+    benchmark_gbuffer_cache benchmark_culling > /dev/null ||
     exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -58,6 +59,8 @@ measure() {
 "$bin/benchmark_metrics"
 note $?
 "$bin/benchmark_tracer"
+note $?
+"$bin/benchmark_path_tracer"
 note $?
 "$bin/benchmark_tssao"
 note $?

@@ -108,6 +108,26 @@ TEST(PathTracerRules, RaysPerHalfNeedNotFillABundle) {
     }
 }
 
+TEST(PathTracerRules, EveryRayIsCountedOnce) {
+    // A floor below a ceiling, so that every ray hits: a camera ray a pixel, its shadow ray for the
+    // light below the ceiling, five rays in each half, and from each of what those hit one ray for
+    // the surroundings and one shadow ray.
+    const LitScene scene({make_floor(2000.0f, 0.0f), make_ceiling(2000.0f, 1.0f)});
+    Lights lights = make_surroundings(glm::vec3(1.0f));
+    lights.points.push_back({{0.0, 0.5, 0.0}, glm::vec3(1.0f), {}, true});
+    PathSettings settings = make_settings();
+    settings.reach = PathReach::full;
+    settings.rays_per_half = 5;
+    const auto count = [&] {
+        return trace_light(scene, make_camera_above_zero(0.4), lights, settings).indirect.ray_count;
+    };
+    EXPECT_EQ(count(), kTracedSize.pixel_count() * (1 + 1 + 10 + 10 * 2));
+    settings.bounces = 0;
+    EXPECT_EQ(count(), kTracedSize.pixel_count() * (1 + 1 + 10));
+    lights.points.front().casts_shadow = false;
+    EXPECT_EQ(count(), kTracedSize.pixel_count() * (1 + 10));
+}
+
 TEST(PathTracerRules, TheHalvesTellTheNoiseOfTheirMean) {
     // The spread over seeds of the mean is what RMS(a - b) / 2 says, and halves of one seed are as
     // far apart as those of two: they are independent. It falls with the rays.
@@ -255,7 +275,7 @@ TEST(PathTracerRules, BouncesHaveTheSendersColour) {
     coloured.colors.assign(4, red);
     const Image by_albedo = measure(paint(square, red), {});
     const Image by_colour = measure(coloured, {});
-    EXPECT_GT(compute_average(by_albedo).x, 0.05);
+    EXPECT_GT(compute_average(by_albedo).x, 0.02);
     EXPECT_NEAR(compute_average(by_albedo).y / compute_average(by_albedo).x, 1.0 / 7.0, 1e-5);
     EXPECT_LT(find_largest_difference(by_albedo, by_colour), 1e-6f);
 
