@@ -27,8 +27,8 @@ struct EarlierFrame {
 };
 
 /// One frame of a sequence. All images have one size and one channel unless said otherwise, and
-/// hold linear visibility. Geometry comes from the full-precision G-buffer, whatever the method
-/// saw.
+/// hold linear visibility, or the luminance of pictures in linear light. Geometry comes from the
+/// full-precision G-buffer, whatever the method saw.
 struct TemporalFrame {
     const Image& test;
     const Image& reference; ///< the mean of the halves where there are halves

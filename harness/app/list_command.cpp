@@ -4,6 +4,7 @@
 #include "harness/app/verbs.hpp"
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/plan.hpp"
+#include "scenes/common/lighting.hpp"
 
 #include <cstdio>
 #include <memory>
@@ -127,6 +128,7 @@ Json list_parameters(const Units& units) {
     for (const SceneUnit& unit : units.scenes.units()) {
         object[unit.name] = describe_parameters_json(unit.parameters);
     }
+    object[lighting_table().owner()] = describe_parameters_json(lighting_table());
     return object;
 }
 
@@ -178,6 +180,7 @@ void print_markdown(const Units& units) {
     for (const SceneUnit& unit : units.scenes.units()) {
         print(unit.parameters);
     }
+    print(lighting_table());
 }
 
 int list(const ListFlags& flags) {

@@ -24,7 +24,7 @@ ParameterTable make_table() {
                 .meaning("What a hit brings: near, up to the radius its weight of the surface's "
                          "light and the rest of the surroundings'; full, the surface's light at "
                          "any distance, without radius and falloff.")
-                .source("ours"),
+                .source("target"),
             integer(&P::bounces, "bounces")
                 .range(0, 1)
                 .unit("bounces")

@@ -3,6 +3,7 @@
 #include "core/base/parameters_markdown.hpp"
 #include "methods/registry.hpp"
 #include "metrics/registry.hpp"
+#include "scenes/common/lighting.hpp"
 #include "scenes/registry.hpp"
 
 #include <filesystem>
@@ -48,6 +49,10 @@ TEST(Readme, MetricsShowTheirParameters) {
 }
 TEST(Readme, ScenesShowTheirParameters) {
     check_room(scenes_registry(), "scenes");
+}
+
+TEST(Readme, ScenesShowTheLightThatTheyAllTake) {
+    EXPECT_EQ(read_table(kRoot / "scenes/README.md"), make_markdown_table(lighting_table()));
 }
 
 TEST(Readme, MethodsListTheirPresets) {

@@ -67,6 +67,7 @@ class SequenceTruthTest : public GlTest {
         m_round.width = kSize.width;
         m_round.height = kSize.height;
         m_round.precision = describe(Precision{});
+        m_round.target = describe(Target{});
         m_round.segments = {{0, frames}};
         return m_stage.emplace(context(), gl::TimerMode::fenced_wall, m_units, m_plan, m_round,
                                scene);

@@ -1,5 +1,6 @@
 #include "methods/ssdo/ssdo.hpp"
 
+#include "methods/common/sample_sets.hpp"
 #include "methods/ssao_environment/ssao_environment.hpp"
 #include "tests/methods/light_shots.hpp"
 #include "tests/methods/traced_light_rig.hpp"
@@ -181,6 +182,60 @@ TEST_F(SsdoTest, SecondLayerMendsPointsBehindASolidAndMoreSamplesMendMissedBlock
     const double few = measure("samples=4,tile=1,blur=false,layers=2");
     const double many = measure("samples=64,tile=1,blur=false,layers=2");
     EXPECT_LT(many, 0.7 * few) << "B";
+}
+
+/// Blocks on a floor that reaches far, all of one albedo, in white light from all around.
+LitScene make_furnace() {
+    const glm::vec3 albedo(0.8f);
+    LitScene scene({paint(make_floor(40.0f, 0.0f), albedo),
+                    paint(make_box({-0.8f, 0.0f, -3.6f}, {-0.1f, 0.7f, -3.0f}), albedo),
+                    paint(make_box({0.1f, 0.0f, -3.4f}, {0.5f, 1.2f, -3.0f}), albedo),
+                    paint(make_box({0.0f, 0.0f, -2.6f}, {0.7f, 0.3f, -2.2f}), albedo)});
+    scene.set_lights(make_surroundings(glm::vec3(1.0f)));
+    scene.set_camera(
+        make_look_at_camera({0.0, 1.8, 0.0}, {0.0, 0.3, -3.0}, {0.0, 1.0, 0.0}, 0.8, 0.1, 100.0));
+    return scene;
+}
+
+double average_over_surfaces(const Image& radiance, const LightShot& shot) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < shot.eye_depth.values().size(); ++i) {
+        if (std::isfinite(shot.eye_depth.values()[i])) {
+            sum += radiance.values()[3 * i];
+        }
+    }
+    return sum / static_cast<double>(count_surface(shot));
+}
+
+TEST_F(SsdoTest, WhiteFurnaceNeverGivesMoreThanItHolds) {
+    const LitScene scene = make_furnace();
+    const LightShot direct = shoot(ssdo_unit(), "bounce=false", scene, kSize);
+    // An open pixel is the mean of 16 sets that are the same for all: their spread is its error.
+    const std::vector<glm::vec4> points = make_sample_sets(4, 16);
+    std::vector<double> sets(16, 0.0);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        sets[i / 16] += 2.0 * points[i].z / 16.0;
+    }
+    double squares = 0.0;
+    for (const double set : sets) {
+        squares += (set - 1.0) * (set - 1.0) / 16.0;
+    }
+    const double standard_error = std::sqrt(squares / 16.0);
+    const float most =
+        *std::max_element(direct.radiance.values().begin(), direct.radiance.values().end());
+    EXPECT_LE(most, 0.8 * (1.0 + 3.0 * standard_error) + 0x1p-11);
+    PathSettings settings;
+    settings.radius_m = scene.get_ao_radius_m();
+    PathTracer tracer;
+    tracer.update(pose_geometry(scene, 0.0));
+    const Image truth = compute_mean(
+        tracer.trace(scene.get_walkthrough().cameras[0], kSize, scene.get_lights(), settings)
+            .indirect);
+    const LightShot both = shoot(ssdo_unit(), "", scene, kSize);
+    EXPECT_LE(average_over_surfaces(direct.radiance, direct),
+              average_over_surfaces(both.radiance, both));
+    EXPECT_LE(average_over_surfaces(both.radiance, both),
+              1.02 * average_over_surfaces(truth, both));
 }
 
 } // namespace

@@ -111,7 +111,7 @@ const tests = {
     const images = viewer.locator(".pane img");
     assert.equal(await images.first().getAttribute("src"), "../images/r0-balls/hemisphere_ssao/0006_picture.png");
     await waitForImage(images.first());
-    await viewer.getByRole("button", { name: "Reference", exact: true }).click();
+    await viewer.getByRole("button", { name: "Reference" }).click();
     assert.match(await images.first().getAttribute("src"), /reference\/0006_picture/);
     assert.equal(await viewer.getByRole("button", { name: "Shaded" }).count(), 0);
     const film = page.locator('[data-film="r0-balls"]');

@@ -47,8 +47,8 @@ class ComposeSamplesTest : public GlTest {
         Compose compose(gl(), kSize);
         PassRecorder recorder(PassTiming::none);
         context().reset_state();
-        compose.render(samples, surroundings.look_through(view.camera), view.camera, &visibility,
-                       nullptr, recorder,
+        compose.render(samples, surroundings.look_through(view.camera), view.camera,
+                       {.visibility = &visibility}, recorder,
                        takes_nearest ? &pixels.texture(Channel::eye_depth) : nullptr);
         context().check_errors();
         return gl::read_texture(gl(), compose.picture(), 3);

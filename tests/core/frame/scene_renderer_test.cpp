@@ -150,8 +150,8 @@ TEST_F(SceneRendererTest, ComposeIsDirectPlusAmbientTimesAlbedoTimesVisibility) 
     Compose compose(gl(), kSize);
     PassRecorder recorder(PassTiming::none);
     context().reset_state();
-    compose.render(gbuffer, surroundings.look_through(view.camera), view.camera, &visibility,
-                   nullptr, recorder);
+    compose.render(gbuffer, surroundings.look_through(view.camera), view.camera,
+                   {.visibility = &visibility}, recorder);
     const Image picture = gl::read_texture(gl(), compose.picture(), 3);
     const Image albedo = gl::read_texture(gl(), gbuffer.texture(Channel::albedo), 3);
     const Image direct = gl::read_texture(gl(), gbuffer.texture(Channel::direct_light), 3);
