@@ -82,11 +82,11 @@ ParameterTable make_table() {
                 .meaning("Area of a sender's patch in the near bounce.")
                 .source(kRitschel2009),
             real(&P::near_clamp, "near_clamp")
-                .range(1e-6, 10.0)
+                .range(1e-6, 1e3)
                 .log_scale()
                 .unit("m")
                 .symbol("d")
-                .default_expression("0.5*clamp")
+                .default_expression("0.1*clamp")
                 .meaning("Least distance of a sender in the near bounce.")
                 .source("Ritschel et al. 2009: 1; value ours"),
             describe_tile(&P::tile),

@@ -139,16 +139,18 @@ TEST_F(InstantRadiosityTest, ClampLosesLightInACornerAndTheNearBounceGivesAPartB
     settings.rays_per_half = 64;
     const TracedRadiance traced = tracer.trace(camera, kSize, scene.get_lights(), settings);
     const double truth = measure_corner(compute_mean(traced.indirect), any.eye_depth, camera);
-    const double open = measure("vpls=1024,clamp=0.001,near_bounce=off");
-    const double clamped = measure("vpls=1024,clamp=0.5,near_bounce=off");
-    const double part = measure("vpls=1024,clamp=0.5,near_bounce=clamped_part,radius=0.5");
-    const double added = measure("vpls=1024,clamp=0.5,near_bounce=added,radius=0.5");
-    std::printf("truth %.4f open %.4f clamped %.4f part %.4f added %.4f\n", truth, open, clamped,
-                part, added);
-    EXPECT_NEAR(open / truth, 1.0, 0.08);
-    EXPECT_LT(clamped, 0.9 * truth);
+    const double open = measure("vpls=512,clamp=0.001,near_bounce=off");
+    const double clamped = measure("vpls=512,clamp=0.5,near_bounce=off");
+    // The near bounce is added to whatever the virtual lights give.
+    const double few = measure("vpls=4,clamp=0.5,near_bounce=off");
+    const std::string near = "vpls=4,clamp=0.5,radius=0.5,near_bounce=";
+    const double part = clamped + measure(near + "clamped_part") - few;
+    const double added = clamped + measure(near + "added") - few;
+    // 512 lights without a clamp: single ones that lie close to a pixel are its noise.
+    EXPECT_NEAR(open / truth, 1.0, 0.12);
+    EXPECT_LT(clamped, 0.7 * truth);
     EXPECT_GT(part, clamped + 0.2 * (truth - clamped));
-    EXPECT_LT(part, truth * 1.1);
+    EXPECT_LT(part, truth);
     EXPECT_GT(added, part);
 }
 
@@ -186,9 +188,7 @@ TEST_F(InstantRadiosityTest, CorrectionBringsContactShadowsOfVirtualLightsBack) 
     };
     const auto [missing, wrong] = measure(show("map_size=64,correction=false"));
     const auto [corrected_missing, corrected_wrong] = measure(show("map_size=64"));
-    std::printf("missing %.4f wrong %.4f corrected %.4f %.4f\n", missing, wrong, corrected_missing,
-                corrected_wrong);
-    EXPECT_LT(corrected_missing, 0.8 * missing);
+    EXPECT_LT(corrected_missing, 0.6 * missing);
     EXPECT_LT(corrected_missing + corrected_wrong, missing + wrong);
 }
 
