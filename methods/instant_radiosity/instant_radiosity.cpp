@@ -128,7 +128,7 @@ MethodUnit instant_radiosity_unit() {
                     "space. 2009; Keller. Instant radiosity. 1997";
     unit.parameters = make_table();
     unit.presets = make_presets();
-    unit.plane_response = 1.0;
+    // None: virtual lights on a plane send nothing along it.
     unit.map_target = map_bounce_target;
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         return make_instant_radiosity(context.functions(),
