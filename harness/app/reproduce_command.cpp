@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 /// What a paper's images are larger by than those of `--scale small`.
 constexpr int kFullScale = 4;
 
-constexpr std::array<std::string_view, 2> kPlanned{"ssdo", "all"};
+constexpr std::array<std::string_view, 1> kPlanned{"all"};
 
 struct ReproduceFlags {
     std::string paper;
