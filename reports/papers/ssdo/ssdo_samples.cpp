@@ -37,9 +37,9 @@ void judge_figure5(const Evidence& evidence, Judge& judge) {
     const Finding layer = compare_rounds(
         evidence, "fig5", kFig5Scenes.size(), "2 layers", "1 layer", kTooDark,
         "A: the share of pixels that are too dark by 0.05 falls with a second layer");
-    const Finding samples =
-        compare_rounds(evidence, "fig5", kFig5Scenes.size(), "64 samples", "4 samples", "rmse",
-                       "B: rmse falls from 4 to 64 samples of two layers");
+    const Finding samples = compare_rounds(evidence, "fig5", kFig5Scenes.size(),
+                                           "64 samples, 1 set", "4 samples, 1 set", "rmse",
+                                           "B: rmse falls from 4 to 64 samples of two layers");
     judge.set("SSDO-045",
               combine_findings({layer, samples},
                                "a second layer takes false darkness away (A), and more samples "

@@ -151,7 +151,7 @@ PaperTable make_figure5(const Evidence& evidence) {
         "rmse and share of pixels too dark by 0.05, against rays of the same reach and "
         "falloff: " +
             describe_round(evidence, "fig5", 0) +
-            " and of three more scenes; N without M sets and blur",
+            " and of three more scenes; two layers where it says one set",
         {"what"},
         {}};
     constexpr std::size_t kScenes = 4;
@@ -160,9 +160,8 @@ PaperTable make_figure5(const Evidence& evidence) {
         table.columns.push_back(scene + ": rmse");
         table.columns.push_back(scene + ": too dark");
     }
-    for (const char* label :
-         {"4 samples, 1 layer", "64 samples, 1 layer", "1 layer", "4 samples", "16 samples",
-          "64 samples", "2 layers", "4 layers", "4 layers, 4 cameras"}) {
+    for (const char* label : {"1 layer", "4 samples, 1 set", "16 samples, 1 set",
+                              "64 samples, 1 set", "2 layers", "4 layers", "4 layers, 4 cameras"}) {
         std::vector<std::string> row{label};
         for (std::size_t round = 0; round < kScenes; ++round) {
             const CellAddress cell{"fig5", round, label};

@@ -22,6 +22,39 @@ std::string describe_cell(const Evidence& evidence, std::size_t round) {
     return describe_round(evidence, "table1", round);
 }
 
+/// By repeat, what `what` loses of SSAO's frames a second, in percent.
+std::map<int, double> get_losses(const Evidence& evidence, std::size_t round, const char* what,
+                                 int samples) {
+    return combine_repeats(evidence.get_frame_ms(find_table1_cell(round, "SSAO", samples)),
+                           evidence.get_frame_ms(find_table1_cell(round, what, samples)),
+                           [](double ssao, double other) { return 100.0 * (1.0 - ssao / other); });
+}
+
+/// Two series joined repeat by repeat; those of two rounds are paired by the repeat's number.
+Estimate estimate_pairs(const std::map<int, double>& a, const std::map<int, double>& b,
+                        double (*join)(double, double)) {
+    std::vector<double> values;
+    for (const auto& [repeat, value] : combine_repeats(a, b, join)) {
+        values.push_back(value);
+    }
+    return estimate_across_repeats(values);
+}
+
+double subtract(double a, double b) {
+    return a - b;
+}
+
+double divide(double a, double b) {
+    return a / b;
+}
+
+/// Is a bounce's frame slower than the same without?
+Outcome judge_bounce(const Evidence& evidence, std::size_t round, int samples) {
+    return judge_above(evidence.compare_frames(find_table1_cell(round, "bounce", samples),
+                                               find_table1_cell(round, "SSDO", samples)),
+                       1.0);
+}
+
 /// Frames of `what` at 16 samples / at 8, in frames a second.
 Estimate compare_samples(const Evidence& evidence, std::size_t round, const char* what) {
     return evidence.compare_frames(find_table1_cell(round, what, 8),
@@ -59,7 +92,8 @@ void judge_row(const Evidence& evidence, const SsdoRow& row, Judge& judge) {
     const Estimate bounce = estimate_frame_loss(evidence, row.round, "bounce", row.samples);
     const Estimate bounce_passes = estimate_pass_loss(evidence, row.round, "bounce", row.samples);
     const Finding moderate{
-        combine({judge_order(bounce, direct, 0.0), judge_below(bounce, kModerateLoss)}),
+        combine(
+            {judge_bounce(evidence, row.round, row.samples), judge_below(bounce, kModerateLoss)}),
         fmt::format("a bounce loses more frames a second than SSDO without, and less than {} % of "
                     "SSAO's, the largest loss in print",
                     kModerateLoss),
@@ -71,12 +105,20 @@ void judge_row(const Evidence& evidence, const SsdoRow& row, Judge& judge) {
     judge.set(make_id(row.first_claim + 4), moderate);
 }
 
-/// Frames a second at 16 samples / at 8 of `what` are below those of `other`, at every size.
+/// Growth of a's passes from 8 to 16 samples over that of b's.
+Estimate compare_growth(const Evidence& evidence, std::size_t round, const char* a, const char* b) {
+    const auto get = [&](const char* what) {
+        return combine_repeats(evidence.get_cost_ms(find_table1_cell(round, what, 16)),
+                               evidence.get_cost_ms(find_table1_cell(round, what, 8)), divide);
+    };
+    return estimate_pairs(get(a), get(b), divide);
+}
+
+/// Passes of `what` grow by more than those of `other` from 8 samples to 16, at every size.
 Finding judge_growth(const Evidence& evidence, const char* what, const char* other) {
     std::vector<Outcome> outcomes;
     for (std::size_t round = 0; round < list_ssdo_sizes().size(); ++round) {
-        outcomes.push_back(judge_order(compare_pass_samples(evidence, round, what),
-                                       compare_pass_samples(evidence, round, other), 0.0));
+        outcomes.push_back(judge_above(compare_growth(evidence, round, what, other), 1.0));
     }
     return {combine(outcomes),
             fmt::format("passes of {} grow by more than those of {} from 8 to 16 samples, at every "
@@ -108,15 +150,21 @@ void judge_samples(const Evidence& evidence, Judge& judge) {
     std::string sizes;
     for (const char* what : {"SSDO", "bounce"}) {
         for (std::size_t round = 0; round < list_ssdo_sizes().size(); ++round) {
-            with_samples.push_back(judge_order(estimate_frame_loss(evidence, round, what, 16),
-                                               estimate_frame_loss(evidence, round, what, 8), 0.0));
+            with_samples.push_back(
+                judge_above(estimate_pairs(get_losses(evidence, round, what, 16),
+                                           get_losses(evidence, round, what, 8), subtract),
+                            0.0));
         }
         for (const int samples : {8, 16}) {
             const auto get = [&](std::size_t round) {
                 return estimate_frame_loss(evidence, round, what, samples);
             };
-            with_size.push_back(judge_order(get(1), get(0), 0.0));
-            with_size.push_back(judge_order(get(3), get(1), 0.0));
+            for (const auto& [larger, smaller] : {std::pair{1, 0}, std::pair{3, 1}}) {
+                with_size.push_back(judge_above(
+                    estimate_pairs(get_losses(evidence, larger, what, samples),
+                                   get_losses(evidence, smaller, what, samples), subtract),
+                    0.0));
+            }
             sizes += fmt::format("; {} {}: {}, {}, {}", what, samples, describe_estimate(get(0)),
                                  describe_estimate(get(1)), describe_estimate(get(3)));
         }
@@ -179,10 +227,7 @@ Estimate average_losses(const Evidence& evidence, const char* what) {
     std::map<int, double> sum;
     const auto add = [](double x, double y) { return x + y; };
     for (const SsdoRow& row : list_ssdo_rows()) {
-        const std::map<int, double> losses =
-            combine_repeats(evidence.get_frame_ms(find_table1_cell(row.round, "SSAO", row.samples)),
-                            evidence.get_frame_ms(find_table1_cell(row.round, what, row.samples)),
-                            [](double ssao, double other) { return 100.0 * (1.0 - ssao / other); });
+        const std::map<int, double> losses = get_losses(evidence, row.round, what, row.samples);
         sum = sum.empty() ? losses : combine_repeats(sum, losses, add);
     }
     std::vector<double> means;
@@ -200,7 +245,7 @@ void judge_averages(const Evidence& evidence, Judge& judge) {
                            "six cells of table 1; 3.6 % in print"});
     judge.set(
         "SSDO-040",
-        {combine({judge_order(bounce, direct, 0.0), judge_below(bounce, kModerateLoss)}),
+        {combine({judge_above(bounce, direct.value), judge_below(bounce, kModerateLoss)}),
          fmt::format("mean loss with a bounce above that without, and below {} %", kModerateLoss),
          bounce,
          "six cells of table 1; 31.1 % in print, 34.4 % with the misprint mended; without a "
@@ -212,16 +257,11 @@ void judge_averages(const Evidence& evidence, Judge& judge) {
 /// of its round's anchor: what drifts from round to round falls on both.
 Estimate compare_polygons(const Evidence& evidence, const char* label,
                           const std::vector<std::string>& passes) {
-    const auto divide = [](double x, double y) { return x / y; };
     const auto get = [&](std::size_t round) {
         return combine_repeats(evidence.get_passes_ms({"polygons", round, label}, passes),
                                evidence.get_cost_ms({"polygons", round, "anchor"}), divide);
     };
-    std::vector<double> ratios;
-    for (const auto& [repeat, ratio] : combine_repeats(get(1), get(0), divide)) {
-        ratios.push_back(ratio);
-    }
-    return estimate_across_repeats(ratios);
+    return estimate_pairs(get(1), get(0), divide);
 }
 
 void judge_polygons(const Evidence& evidence, Judge& judge) {
