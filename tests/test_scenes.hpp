@@ -19,6 +19,9 @@ class TestScene final : public Scene {
               std::vector<Camera> cameras, double ao_radius_m, glm::dvec3 origin = glm::dvec3(0.0),
               std::vector<ObjectStep> steps = {});
 
+    /// Has the sun, which shines through everything, cast shadows.
+    void cast_shadows() { m_lights.directional.front().casts_shadow = true; }
+
     [[nodiscard]] std::span<const Mesh> get_meshes() const override { return m_meshes; }
     [[nodiscard]] std::span<const Object> get_objects() const override { return m_objects; }
     [[nodiscard]] const Lights& get_lights() const override { return m_lights; }

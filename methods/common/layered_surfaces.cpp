@@ -9,14 +9,14 @@ namespace {
 constexpr GLuint kLayerUnit = 5;
 constexpr GLuint kViewUnit = 8;
 
+} // namespace
+
 glm::mat4 compute_other_from_view(const Camera& other, const Camera& viewer) {
     const glm::dmat3 other_from_world = glm::transpose(other.world_from_view);
     glm::dmat4 matrix(other_from_world * viewer.world_from_view);
     matrix[3] = glm::dvec4(other_from_world * (viewer.position - other.position), 1.0);
     return glm::mat4(matrix);
 }
-
-} // namespace
 
 std::string make_layer_counts(int layers, int views, bool is_clamped) {
     return "const int kLayers = " + std::to_string(layers) +

@@ -9,6 +9,9 @@
 
 namespace alcove {
 
+/// View space of `viewer` to that of `other`, composed in double.
+[[nodiscard]] glm::mat4 compute_other_from_view(const Camera& other, const Camera& viewer);
+
 /// For `#include "layer_counts.glsl"`. `is_clamped`: points outside the image are compared with the
 /// nearest pixel.
 [[nodiscard]] std::string make_layer_counts(int layers, int views, bool is_clamped);

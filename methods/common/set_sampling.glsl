@@ -1,5 +1,5 @@
-// A pixel's sample points and what blocks them, for shaders with the parameters radius, bias and fade (their text is
-// included before this file), and get_thickness() for solids whose back is not known.
+// A pixel's sample points and what blocks them, for shaders with the parameters radius and fade (their text is
+// included before this file), get_bias() in half pixel footprints, and get_thickness() for solids whose back is not known.
 // This work is based on: Ritschel, Grosch, Seidel. Approximating dynamic global illumination in image space. 2009,
 // sections 3 and 7.2.
 #include "methods/common/layered_surfaces.glsl"
@@ -28,7 +28,7 @@ Receiver read_receiver() {
     receiver.normal = normalize(texelFetch(normal_texture, receiver.pixel, 0).xyz);
     compute_tangent_frame(receiver.normal, receiver.tangent, receiver.bitangent);
     receiver.bias =
-        compute_footprint_bias(receiver.position, receiver.normal, 2.0 * tangents * pixel_size, param_bias);
+        compute_footprint_bias(receiver.position, receiver.normal, 2.0 * tangents * pixel_size, get_bias());
     receiver.first_sample = find_sample_set(receiver.pixel, noise_seed);
     return receiver;
 }

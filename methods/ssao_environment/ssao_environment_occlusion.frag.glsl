@@ -1,6 +1,9 @@
 // Mean visibility of the samples times one lookup of the prefiltered surroundings.
 // This work is based on: Ritschel, Grosch, Seidel. Approximating dynamic global illumination in image space. 2009, table 1.
 #include "parameters.glsl"
+float get_bias() {
+    return param_bias;
+}
 float get_thickness() {
     return 1.0 / 0.0;
 }

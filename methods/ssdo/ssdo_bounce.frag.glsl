@@ -3,6 +3,9 @@
 // section 3: L_ind = sum over N of rho / pi L_pixel (1 - V) A_s cos theta_s cos theta_r / d^2 with A_s = pi r_max^2 / N.
 // The albedo rho is multiplied on after the blur.
 #include "parameters.glsl"
+float get_bias() {
+    return param_bias;
+}
 float get_thickness() {
     return param_thickness;
 }

@@ -2,6 +2,9 @@
 // This work is based on: Ritschel, Grosch, Seidel. Approximating dynamic global illumination in image space. 2009,
 // section 3: L_dir = sum over N of rho / pi L_in V cos theta 2 pi / N. The albedo rho is multiplied on after the blur.
 #include "parameters.glsl"
+float get_bias() {
+    return param_bias;
+}
 float get_thickness() {
     return param_thickness;
 }
