@@ -12,14 +12,13 @@
 #include "harness/run/run_experiment.hpp"
 #include "reports/analysis/wording.hpp"
 #include "reports/csv/reproduction_csv.hpp"
+#include "reports/html/reproduction_index.hpp"
 #include "reports/html/reproduction_page.hpp"
 #include "reports/latex/latex_table.hpp"
 #include "reports/papers/paper_files.hpp"
 #include "reports/papers/papers.hpp"
 
-#include <array>
 #include <memory>
-#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -32,7 +31,8 @@ namespace fs = std::filesystem;
 /// What a paper's images are larger by than those of `--scale small`.
 constexpr int kFullScale = 4;
 
-constexpr std::array<std::string_view, 2> kPlanned{"ssdo", "all"};
+/// In place of a paper's name: every one after another.
+constexpr const char* kAll = "all";
 
 struct ReproduceFlags {
     std::string paper;
@@ -118,35 +118,27 @@ void print_reproduction(const fs::path& out, const Reproduction& reproduction) {
     fmt::print("{}\nreport: {}\n", describe_counts(reproduction), (out / "index.html").string());
 }
 
-/// Throws for what is unknown and for what is not built yet.
-const Paper& find_paper(const std::string& name) {
-    std::vector<std::string> names;
+/// The paper of this name, or all; throws InputError for what is unknown.
+std::vector<Paper> find_papers(const std::string& name) {
+    std::vector<Paper> papers;
+    std::vector<std::string> names{kAll};
     for (const Paper& paper : list_papers()) {
-        if (paper.name == name) {
-            return paper;
+        if (name == paper.name || name == kAll) {
+            papers.push_back(paper);
         }
         names.emplace_back(paper.name);
     }
-    if (std::find(kPlanned.begin(), kPlanned.end(), name) != kPlanned.end()) {
-        throw InputError("`reproduce " + name + "` is planned, not built yet");
-    }
     check_choice("reproduce", name, names);
-    return list_papers().front();
+    return papers;
 }
 
-int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
-    const Paper& paper = find_paper(flags.paper);
-    check_choice("--scale", flags.scale, {"small", "full"});
-    const Units units = get_units();
-    const std::vector<Experiment> parts = list_parts(flags.paper, flags.scale, command_line, units);
-    const fs::path out = flags.out.empty()
-                             ? fs::path("runs") / (make_utc_stamp() + "-reproduce-" + flags.paper)
-                             : fs::path(flags.out);
-    const std::unique_ptr<gl::Context> context = open_chosen_context(flags.context.parse());
+/// Runs what is left of a paper's parts in `out` and writes what they say.
+Reproduction reproduce_paper(const Paper& paper, const ReproduceFlags& flags, const fs::path& out,
+                             const std::string& command_line, gl::Context& context,
+                             const Units& units) {
+    const std::vector<Experiment> parts = list_parts(paper.name, flags.scale, command_line, units);
     create_output_folder(out);
-    const gl::TimerReport timers = validate_clock(*context);
-    fmt::print(stderr, "alcove: writing to {} (continue with --out {})\n", out.string(),
-               out.string());
+    const gl::TimerReport timers = validate_clock(context);
     Evidence evidence;
     {
         Progress progress;
@@ -155,13 +147,38 @@ int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
                 progress.show((static_cast<double>(i) + share) / static_cast<double>(parts.size()),
                               parts[i].title);
             };
-            evidence.add(parts[i].name, run_part(out / "parts" / parts[i].name, parts[i], *context,
+            evidence.add(parts[i].name, run_part(out / "parts" / parts[i].name, parts[i], context,
                                                  timers, units, show));
         }
     }
-    const Reproduction reproduction = paper.reproduce(evidence, flags.scale);
+    Reproduction reproduction = paper.reproduce(evidence, flags.scale);
     write_reproduction(out, reproduction);
     print_reproduction(out, reproduction);
+    return reproduction;
+}
+
+int reproduce(const ReproduceFlags& flags, const std::string& command_line) {
+    const std::vector<Paper> papers = find_papers(flags.paper);
+    check_choice("--scale", flags.scale, {"small", "full"});
+    const Units units = get_units();
+    const fs::path out = flags.out.empty()
+                             ? fs::path("runs") / (make_utc_stamp() + "-reproduce-" + flags.paper)
+                             : fs::path(flags.out);
+    const std::unique_ptr<gl::Context> context = open_chosen_context(flags.context.parse());
+    create_output_folder(out);
+    fmt::print(stderr, "alcove: writing to {} (continue with --out {})\n", out.string(),
+               out.string());
+    if (flags.paper != kAll) {
+        reproduce_paper(papers.front(), flags, out, command_line, *context, units);
+        return 0;
+    }
+    std::vector<IndexedReproduction> done;
+    for (const Paper& paper : papers) {
+        done.push_back({paper.name, reproduce_paper(paper, flags, out / paper.name, command_line,
+                                                    *context, units)});
+    }
+    write_file_atomically(out / "index.html", make_reproduction_index(done));
+    fmt::print("all: {}\n", (out / "index.html").string());
     return 0;
 }
 
@@ -174,7 +191,7 @@ Action add_reproduce_verb(CLI::App& app, const std::string& command_line) {
         papers += (papers.empty() ? "" : ", ") + std::string(paper.name);
     }
     app.add_option("paper", flags->paper,
-                   fmt::format("{} (planned: {})", papers, fmt::join(kPlanned, ", ")))
+                   papers + ", or all: each after another, with a page over them")
         ->required();
     app.add_option("--scale", flags->scale,
                    "small: a quarter of the published size in each direction; full")

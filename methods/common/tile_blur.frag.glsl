@@ -7,7 +7,7 @@ layout(binding = 1) uniform sampler2D normal_texture;
 layout(binding = 2) uniform sampler2D albedo_texture;
 uniform ivec2 direction;        // (1,0) or (0,1)
 uniform int tile;               // pixels a side; 1: no blur
-uniform int finish;             // 0: as it is, with depth; 1: times albedo, 0 on the background; 2: as it is, 1 there
+uniform int finish;             // 0: as it is, with depth; 1: times albedo, 0 on the background; 2: visibility: at most 1, and 1 there
 uniform float edge_distance;    // metres off the tangent plane at which a tap's weight is 1/e
 uniform vec2 tangents;
 layout(location = 0) out vec4 result;
@@ -48,5 +48,6 @@ void main() {
         sum /= total;
     }
     vec3 factor = finish == 1 ? texelFetch(albedo_texture, pixel, 0).rgb : vec3(1.0);
-    result = vec4(sum * factor, centre.a);
+    // A pixel's own samples may weigh a little more than 1; their mean over the tile does not.
+    result = vec4(finish == 2 ? min(sum, vec3(1.0)) : sum * factor, centre.a);
 }

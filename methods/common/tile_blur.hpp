@@ -21,8 +21,9 @@ class TileBlur {
     explicit TileBlur(const gl::Functions& gl);
     void resize(ImageSize size);
     /// `incoming`: RGBA32F, mean incoming radiance and, in a, eye depth. Writes it times albedo
-    /// (is_shaded) or as it is (its red into a one-channel target); 0 or, not shaded, 1 on the
-    /// background. Passes `<owner>/blur_x`, `<owner>/blur_y`, or, for a tile of 1, `<owner>/shade`.
+    /// (is_shaded) or as visibility, at most 1 (red, into a one-channel target); 0, or visibility
+    /// 1, on the background. Passes `<owner>/blur_x`, `<owner>/blur_y`, or, for a tile of 1,
+    /// `<owner>/shade`.
     void render(const MethodInputs& inputs, const TileBlurSettings& settings,
                 const gl::Texture& incoming, GLuint target, bool is_shaded,
                 const std::string& owner, PassRecorder& passes) const;

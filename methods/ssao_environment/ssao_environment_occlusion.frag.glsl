@@ -28,6 +28,5 @@ void main() {
             light = textureLod(prefiltered_texture, encode_octahedral(map_from_view * receiver.normal), 0.0).rgb;
         }
     }
-    float visibility = sum / float(kSamples);
-    incoming = vec4((kGivesVisibility ? min(visibility, 1.0) : visibility) * light, receiver.depth);
+    incoming = vec4(sum / float(kSamples) * light, receiver.depth);
 }

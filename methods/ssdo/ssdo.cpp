@@ -77,7 +77,7 @@ ParameterTable make_table() {
                 .meaning("Area of a sender's patch.")
                 .source(kRitschel2009),
             real(&P::distance_clamp, "distance_clamp")
-                .range(1e-6, 10.0)
+                .range(1e-6, 1e3)
                 .log_scale()
                 .unit("m")
                 .symbol("d")
@@ -95,10 +95,10 @@ std::vector<Preset> make_presets() {
         {"default", "16 samples in 4x4 sets, one bounce", {}, 1.0, 2.0, ""},
         {"direct", "without bounce", make_overrides({{"bounce", "false"}}), 1.0, 2.0, ""},
         {"paper_8", "as published: 8 samples, no bias, distances clamped to 1 unit",
-         make_overrides({{"samples", "8"}, {"bias", "0"}, {"distance_clamp", "1"}}), 8.0, 14.0,
+         make_overrides({{"samples", "8"}, {"bias", "0"}, {"distance_clamp", "1"}}), 16.0, 16.0,
          kNoBias},
         {"paper_16", "as published: 16 samples, no bias, distances clamped to 1 unit",
-         make_overrides({{"samples", "16"}, {"bias", "0"}, {"distance_clamp", "1"}}), 8.0, 14.0,
+         make_overrides({{"samples", "16"}, {"bias", "0"}, {"distance_clamp", "1"}}), 16.0, 16.0,
          kNoBias},
         {"peeled", "two depth layers", make_overrides({{"layers", "2"}}), 1.0, 2.0, ""},
         {"peeled_4", "four depth layers", make_overrides({{"layers", "4"}}), 1.0, 2.0, ""},

@@ -36,7 +36,7 @@ void main() {
         }
         sum *= 2.0 / float(kSamples);
     }
-    incoming = vec4(kGivesVisibility ? min(sum, vec3(1.0)) : sum, receiver.depth);
+    incoming = vec4(sum, receiver.depth);
 #ifdef SENDS
     sent = vec4(texelFetch(direct_light_texture, receiver.pixel, 0).rgb +
                     sum * texelFetch(albedo_texture, receiver.pixel, 0).rgb,

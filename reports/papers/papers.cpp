@@ -2,6 +2,7 @@
 
 #include "reports/papers/artifacts/artifacts.hpp"
 #include "reports/papers/shanmugam_arikan/shanmugam_arikan.hpp"
+#include "reports/papers/ssdo/ssdo.hpp"
 #include "reports/papers/statvo/statvo.hpp"
 #include "reports/papers/tssao/tssao.hpp"
 
@@ -14,6 +15,7 @@ std::span<const Paper> list_papers() {
         Paper{"tssao", reproduce_tssao},
         Paper{"statvo", reproduce_statvo},
         Paper{"shanmugam_arikan", reproduce_shanmugam_arikan},
+        Paper{"ssdo", reproduce_ssdo},
         Paper{"artifacts", reproduce_artifacts},
     };
     return kPapers;

@@ -39,6 +39,8 @@ TEST_F(Refusal, MistypedNamesGetTheNearest) {
     expect_refused({"run", "--scene", "cathedrl"}, 2, {"cathedrl", "nearest: cathedral"});
     expect_refused({"metric", "a.png", "b.png", "--metric", "ssmi"}, 2, {"ssmi", "nearest: ssim"});
     expect_refused({"metric", "a.png", "b.png", "--domain", "sRBG"}, 2, {"sRBG", "nearest: srgb"});
+    expect_refused({"reproduce", "sdo"}, 2, {"sdo", "tssao", "all", "nearest: ssdo"});
+    expect_refused({"reproduce", "ssdo", "--scale", "smal"}, 2, {"--scale", "nearest: small"});
     expect_refused({"list", "metods"}, 2, {"metods", "nearest: methods"});
     expect_refused({"run", "--context", "osmeas"}, 2, {"osmeas", "nearest: osmesa"});
     expect_refused({"run", "--effects", "al"}, 2, {"--effects", "nearest: all"});

@@ -44,6 +44,32 @@ TEST(SceneSource, NamesTheNearestOfEachPart) {
                  {"template_scene", "detail"});
 }
 
+TEST(SceneSource, EverySceneTakesLightBesideItsOwnParameters) {
+    const auto scene = open_spec(
+        "colour_blocks:walkthrough=turning,environment=two_colour,shadows=true,lamp=point");
+    EXPECT_NE(scene->get_lights().environment, nullptr);
+    EXPECT_TRUE(scene->get_lights().directional.at(0).casts_shadow);
+    EXPECT_EQ(scene->get_lights().points.size(), 1u);
+    expect_error([] { static_cast<void>(open_spec("colour_blocks:enviroment=sky")); }, 2,
+                 {"colour_blocks", "nearest: environment"});
+    expect_error([] { static_cast<void>(open_spec("colour_blocks:environment=skye")); }, 2,
+                 {"environment", "nearest: sky"});
+    expect_error([] { static_cast<void>(open_spec("colour_blocks:environment=a/sky")); }, 2,
+                 {"a/sky", ".hdr or .exr"});
+    expect_error([] { static_cast<void>(open_spec("colour_blocks:environment=no.hdr")); }, 2,
+                 {"no.hdr"});
+}
+
+TEST(SceneSource, EveryPathOfASpecificationIsResolved) {
+    const auto resolve = [](const std::string& path) { return "/base/" + path; };
+    EXPECT_EQ(resolve_scene_paths("cathedral:detail=2,environment=a.hdr", resolve),
+              "cathedral:detail=2,environment=/base/a.hdr");
+    EXPECT_EQ(resolve_scene_paths("cathedral:environment=sky", resolve),
+              "cathedral:environment=sky");
+    EXPECT_EQ(resolve_scene_paths("m.glb:environment=a.exr,shadows=true", resolve),
+              "/base/m.glb:environment=/base/a.exr,shadows=true");
+}
+
 TEST(SceneSource, ParametersReachTheScene) {
     EXPECT_LT(count_size(*open_spec("cathedral:detail=0.125")).vertices,
               count_size(*open_spec("cathedral:detail=0.25")).vertices);

@@ -3,6 +3,7 @@
 #include "harness/run/experiment_file.hpp"
 #include "harness/run/plan.hpp"
 #include "reports/csv/reproduction_csv.hpp"
+#include "reports/html/reproduction_index.hpp"
 #include "reports/html/reproduction_page.hpp"
 #include "reports/latex/latex_table.hpp"
 #include "reports/papers/claim.hpp"
@@ -139,6 +140,15 @@ TEST(ReproductionPage, EscapesWhatItShowsAndCountsVerdicts) {
     EXPECT_NE(page.find("0 holds, 1 fails, 0 inconclusive, 0 not testable here"),
               std::string::npos);
     EXPECT_NE(page.find("1.50"), std::string::npos);
+}
+
+TEST(ReproductionIndex, LinksToEachPaperWithItsCounts) {
+    const std::vector<IndexedReproduction> papers{{"a b", make_reproduction()}};
+    const std::string page = make_reproduction_index(papers);
+    EXPECT_NE(page.find("href=\"a%20b/index.html\">P&lt;script&gt;</a>"), std::string::npos)
+        << page;
+    EXPECT_NE(page.find("<th>holds</th><th>fails</th>"), std::string::npos) << page;
+    EXPECT_NE(page.find("<td>0</td><td>1</td><td>0</td><td>0</td>"), std::string::npos) << page;
 }
 
 TEST(ReproductionCsv, QuotesItsFields) {
