@@ -191,14 +191,74 @@ TEST_F(SsdoTest, MoreSamplesFindBlockersThatFewMiss) {
     scene.set_lights(make_surroundings(glm::vec3(1.0f)));
     scene.set_camera(make_forward_camera());
     const auto shoot_with = [&](const std::string& samples) {
-        return shoot(ssdo_unit(), "radius=0.6,bounce=false,blur=false," + samples, scene,
-                     kSize);
+        return shoot(ssdo_unit(), "radius=0.6,bounce=false,blur=false," + samples, scene, kSize);
     };
     const Image limit = shoot_with("samples=256").visibility;
     EXPECT_LT(*std::min_element(limit.values().begin(), limit.values().end()), 0.97f);
     const double few = measure_wall_error(shoot_with("samples=4,tile=1"), limit);
     const double many = measure_wall_error(shoot_with("samples=64,tile=1"), limit);
     EXPECT_LT(many, 0.5 * few);
+}
+
+/// A pink box close before a wall, hidden behind a white one; the sun shines on its right side.
+std::unique_ptr<LitScene> make_hidden_box() {
+    auto scene = std::make_unique<LitScene>(std::vector<Mesh>{
+        paint(make_wall(2.0f, -6.0f), glm::vec3(0.7f)),
+        paint(make_box({-0.5f, -1.0f, -3.5f}, {0.5f, 0.8f, -3.0f}), glm::vec3(0.7f)),
+        paint(make_box({-0.85f, -1.0f, -5.95f}, {0.85f, 1.0f, -5.3f}), {0.9f, 0.2f, 0.4f})});
+    Lights lights = make_surroundings(glm::vec3(0.2f));
+    lights.directional.push_back(
+        {glm::normalize(glm::dvec3(1.0, 0.3, 0.4)), glm::vec3(2.0f), true});
+    scene->set_lights(lights);
+    scene->set_camera(make_forward_camera());
+    return scene;
+}
+
+/// Of the visible wall on the right of both boxes, within reach of the hidden one.
+struct WallSide {
+    double visibility = 0.0; ///< mean
+    double pink = 0.0;       ///< mean of red minus green of a radiance
+};
+
+WallSide measure_wall_side(const Image& visibility, const Image& radiance, const Image& depth) {
+    WallSide side;
+    int count = 0;
+    for (int y = kSize.height / 3; y < 2 * kSize.height / 3; ++y) {
+        for (int x = kSize.width / 2; x < kSize.width; ++x) {
+            // The pixel's place on the wall: tan 30 degrees up, four thirds of that aside.
+            const double aside =
+                6.0 * 0.57735 * 4.0 / 3.0 * ((x + 0.5) / (0.5 * kSize.width) - 1.0);
+            if (std::abs(depth.at(x, y) - 6.0f) < 0.01f && aside < 1.3) {
+                side.visibility += visibility.at(x, y);
+                side.pink += radiance.at(x, y, 0) - radiance.at(x, y, 1);
+                ++count;
+            }
+        }
+    }
+    EXPECT_GT(count, 100);
+    return {side.visibility / count, side.pink / count};
+}
+
+// Ritschel et al. 2009, figure 7: one view misses the shadow and the light of what it does not see.
+TEST_F(SsdoTest, FurtherCamerasBringAHiddenBoxsShadowAndItsPinkLight) {
+    const std::unique_ptr<LitScene> scene = make_hidden_box();
+    PathSettings settings;
+    settings.radius_m = 0.8;
+    PathTracer tracer;
+    tracer.update(pose_geometry(*scene, 0.0));
+    const TracedRadiance traced =
+        tracer.trace(make_forward_camera(), kSize, scene->get_lights(), settings);
+    const LightShot one = shoot(ssdo_unit(), "radius=0.8", *scene, kSize);
+    const LightShot four = shoot(ssdo_unit(), "radius=0.8,views=4", *scene, kSize);
+    const WallSide truth =
+        measure_wall_side(traced.visibility, compute_mean(traced.indirect), one.eye_depth);
+    const WallSide before = measure_wall_side(one.visibility, one.radiance, one.eye_depth);
+    const WallSide after = measure_wall_side(four.visibility, four.radiance, one.eye_depth);
+    EXPECT_GT(before.visibility, 0.99);
+    // Cameras at half the resolution of 160x120 find a part of both.
+    EXPECT_LT(after.visibility, before.visibility - 0.2 * (before.visibility - truth.visibility));
+    EXPECT_LT(std::abs(before.pink), 0.1 * truth.pink);
+    EXPECT_GT(after.pink, 0.2 * truth.pink);
 }
 
 /// Blocks on a floor that reaches far, all of one albedo, in white light from all around.

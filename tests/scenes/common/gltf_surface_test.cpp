@@ -178,7 +178,7 @@ TEST_F(GltfSurface, LightsFromTheFile) {
     parts.scene_nodes = "[0,1,2]";
     const std::string lights = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":)"
                                R"({"KHR_lights_punctual":{"lights":[{"type":"directional",)"
-                               R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"KIND"}]}})";
+                               R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"KIND","spot":{}}]}})";
     std::string kind = "point";
     const auto set_intensity = [&](const std::string& value) {
         parts.more = lights;
