@@ -82,7 +82,7 @@ Reproduction reproduce_ssdo(const Evidence& evidence, const std::string& scale) 
     judge_ssdo_light(evidence, judge);
     judge_ssdo_samples(evidence, judge);
     judge_ssdo_truth(evidence, judge);
-    judge_ssdo_shadows(judge);
+    judge_ssdo_shadows(evidence, judge);
     list_ssdo_untestable(judge);
     Reproduction reproduction;
     reproduction.paper = "SSDO";

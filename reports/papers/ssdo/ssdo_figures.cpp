@@ -29,7 +29,16 @@ std::vector<PaperFigure> make_ssdo_figures(const Evidence& evidence) {
         make_figure(evidence, "Figure 7: a hidden column", "fig7", 0, "picture",
                     {"one view", "four cameras", "two layers"}, 2),
         make_figure(evidence, "Figure 7: errors to path tracing", "fig7", 0, "error",
-                    {"one view", "four cameras", "two layers"}, 2)};
+                    {"one view", "four cameras", "two layers"}, 2),
+        make_figure(evidence, "Figure 6: a point light's shadow", "fig6", 0, "picture",
+                    {"1 layer, 0.25 m", "1 layer, 1 m", "2 layers, 0.25 m", "2 layers, 1 m"}, 2),
+        make_figure(evidence, "Figure 9: pebbles", "fig9", 0, "picture",
+                    {"no bias", "bias", "corrected, 16 samples", "corrected, 2 layers, 8 samples"},
+                    2),
+        make_figure(evidence, "Figure 10: natural illumination", "fig10", 0, "picture",
+                    {"bias", "corrected"}, 1),
+        make_figure(evidence, "Figure 12: instant radiosity and a near bounce", "fig12", 0,
+                    "picture", {"nothing", "clamped", "clamped part", "added"}, 1)};
     for (std::size_t scene = 0; scene < kFig13Scenes; ++scene) {
         const std::size_t round = find_fig13_round(scene, Reach::full);
         const std::string name = evidence.get_round("fig13", round).scene;

@@ -19,7 +19,7 @@ void judge_ssdo_samples(const Evidence& evidence, Judge& judge);
 /// Figure 13, flicker, and "never worse".
 void judge_ssdo_truth(const Evidence& evidence, Judge& judge);
 /// Figures 6 and 8 to 12: shadows that correct shadow maps, and instant radiosity.
-void judge_ssdo_shadows(Judge& judge);
+void judge_ssdo_shadows(const Evidence& evidence, Judge& judge);
 /// What nothing here can decide, and why.
 void list_ssdo_untestable(Judge& judge);
 

@@ -222,10 +222,37 @@ void judge_radius(const Evidence& evidence, Judge& judge) {
                                          "layers at each"));
 }
 
+/// Root mean square gradient of occlusion over its mean, frame by frame: how hard its edges are,
+/// however much of it there is.
+std::vector<double> get_hardness(const Evidence& evidence, std::size_t round, const char* label) {
+    const CellAddress cell{"fade", round, label};
+    std::vector<double> hardness = evidence.get_values(cell, "gradient_error", kCold);
+    const std::vector<double> means = evidence.get_values(cell, "mae", kCold);
+    for (std::size_t i = 0; i < hardness.size(); ++i) {
+        hardness[i] /= means.at(i);
+    }
+    return hardness;
+}
+
 void judge_fade(const Evidence& evidence, Judge& judge) {
-    judge.set("SSDO-083",
-              compare_rounds(evidence, "fade", 3, "fades", "ends at once", "gradient_error",
-                             "gradient_error with the smooth step - without < 0"));
+    std::vector<Finding> findings;
+    std::string all;
+    for (std::size_t round = 0; round < 3; ++round) {
+        std::vector<double> ratios = get_hardness(evidence, round, "fades");
+        const std::vector<double> hard = get_hardness(evidence, round, "ends at once");
+        for (std::size_t i = 0; i < ratios.size(); ++i) {
+            ratios[i] /= hard.at(i);
+        }
+        const Estimate ratio = estimate_across_repeats(ratios);
+        findings.push_back({judge_below(ratio, 1.0), "edges are softer with the smooth step", ratio,
+                            describe_round(evidence, "fade", round)});
+        all += fmt::format("; {} {}", evidence.get_round("fade", round).scene,
+                           describe_estimate(ratio));
+    }
+    Finding finding = combine_findings(
+        findings, "gradient of occlusion over its mean, with the smooth step / without, below 1");
+    finding.why += all;
+    judge.set("SSDO-083", finding);
 }
 
 void judge_distance(const Evidence& evidence, Judge& judge) {
