@@ -67,6 +67,11 @@ Estimate compare_values(const Evidence& evidence, const std::string& part, std::
     return evidence.compare_metric({part, round, a}, {part, round, b}, metric, SampleState::cold);
 }
 
+std::string name_scene(const Evidence& evidence, const std::string& part, std::size_t round) {
+    const std::string& scene = evidence.get_round(part, round).scene;
+    return scene.substr(0, scene.find(':'));
+}
+
 Estimate estimate_value(const Evidence& evidence, const std::string& part, std::size_t round,
                         const std::string& label, const std::string& metric) {
     return evidence.estimate_metric({part, round, label}, metric, SampleState::cold);

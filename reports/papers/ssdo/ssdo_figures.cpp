@@ -41,7 +41,7 @@ std::vector<PaperFigure> make_ssdo_figures(const Evidence& evidence) {
                     "picture", {"nothing", "clamped", "clamped part", "added"}, 1)};
     for (std::size_t scene = 0; scene < kFig13Scenes; ++scene) {
         const std::size_t round = find_fig13_round(scene, Reach::full);
-        const std::string name = evidence.get_round("fig13", round).scene;
+        const std::string name = name_scene(evidence, "fig13", round);
         figures.push_back(
             make_figure(evidence, "Figure 13: " + name, "fig13", round, "picture", order, 2));
         figures.push_back(make_figure(evidence, "Figure 13, errors to path tracing: " + name,

@@ -57,6 +57,9 @@ struct SsdoRow {
 [[nodiscard]] Estimate compare_values(const Evidence& evidence, const std::string& part,
                                       std::size_t round, const std::string& a, const std::string& b,
                                       const std::string& metric);
+/// A round's scene without its options: how it is lit is said by the part.
+[[nodiscard]] std::string name_scene(const Evidence& evidence, const std::string& part,
+                                     std::size_t round);
 /// Mean of a metric over a cell's frames.
 [[nodiscard]] Estimate estimate_value(const Evidence& evidence, const std::string& part,
                                       std::size_t round, const std::string& label,

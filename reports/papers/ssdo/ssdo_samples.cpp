@@ -25,9 +25,9 @@ Finding compare_rounds(const Evidence& evidence, const std::string& part, std::s
     for (std::size_t round = 0; round < rounds; ++round) {
         const Estimate difference = compare_values(evidence, part, round, a, b, metric);
         outcomes.push_back(judge_below(difference, 0.0));
-        all += fmt::format("{}{}: {} ({})", round == 0 ? "" : "; ",
-                           evidence.get_round(part, round).scene, describe_estimate(difference),
-                           to_text(outcomes.back()));
+        all +=
+            fmt::format("{}{}: {} ({})", round == 0 ? "" : "; ", name_scene(evidence, part, round),
+                        describe_estimate(difference), to_text(outcomes.back()));
     }
     const Estimate first = compare_values(evidence, part, 0, a, b, metric);
     return {combine(outcomes), tested, first, "measured: the first of " + all};
@@ -77,7 +77,7 @@ void judge_limit(const Evidence& evidence, Judge& judge) {
                                     {"converged_direct", round, "256 samples"}, "rmse", kCold);
         biased.push_back(judge_above(gap, 0.0));
         left += fmt::format("{}{} {}", round == 0 ? "" : ", ",
-                            evidence.get_round("converged", round).scene, describe_estimate(gap));
+                            name_scene(evidence, "converged", round), describe_estimate(gap));
     }
     Finding finding = combine_findings(
         {direct,
@@ -132,7 +132,7 @@ void judge_cameras(const Evidence& evidence, Judge& judge) {
         for (const char* what : {"two layers", "four cameras"}) {
             const Estimate ratio = compare_overhead(evidence, part, what);
             outcomes.push_back(judge_within(ratio, 1.15, 4.2));
-            all += fmt::format("; {}, {}: {}", evidence.get_round(part, 0).scene, what,
+            all += fmt::format("; {}, {}: {}", name_scene(evidence, part, 0), what,
                                describe_estimate(ratio));
         }
     }
@@ -246,8 +246,8 @@ void judge_fade(const Evidence& evidence, Judge& judge) {
         const Estimate ratio = estimate_across_repeats(ratios);
         findings.push_back({judge_below(ratio, 1.0), "edges are softer with the smooth step", ratio,
                             describe_round(evidence, "fade", round)});
-        all += fmt::format("; {} {}", evidence.get_round("fade", round).scene,
-                           describe_estimate(ratio));
+        all +=
+            fmt::format("; {} {}", name_scene(evidence, "fade", round), describe_estimate(ratio));
     }
     Finding finding = combine_findings(
         findings, "gradient of occlusion over its mean, with the smooth step / without, below 1");

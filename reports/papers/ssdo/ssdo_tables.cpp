@@ -156,7 +156,7 @@ PaperTable make_figure5(const Evidence& evidence) {
         {}};
     constexpr std::size_t kScenes = 4;
     for (std::size_t round = 0; round < kScenes; ++round) {
-        const std::string scene = evidence.get_round("fig5", round).scene;
+        const std::string scene = name_scene(evidence, "fig5", round);
         table.columns.push_back(scene + ": rmse");
         table.columns.push_back(scene + ": too dark");
     }
@@ -241,7 +241,7 @@ PaperTable make_figure13(const Evidence& evidence) {
         for (const auto& [reach, name] :
              {std::pair{Reach::near, "near"}, std::pair{Reach::full, "full"}}) {
             const std::size_t round = find_fig13_round(scene, reach);
-            std::vector<std::string> row{evidence.get_round("fig13", round).scene, name};
+            std::vector<std::string> row{name_scene(evidence, "fig13", round), name};
             for (const char* label : {"nothing", "SSAO", "SSAO, cosine", "SSDO", "bounce"}) {
                 row.push_back(describe_value(evidence, {"fig13", round, label}, "rmse"));
             }
@@ -289,7 +289,7 @@ PaperTable make_silhouettes(const Evidence& evidence) {
                      {}};
     for (std::size_t round = 0; round < 8; ++round) {
         const CellAddress one{"silhouettes", round, "1 layer"};
-        table.rows.push_back({evidence.get_round("silhouettes", round).scene,
+        table.rows.push_back({name_scene(evidence, "silhouettes", round),
                               evidence.find_parameter(one, "radius"),
                               describe_value(evidence, one, "false_occlusion:least=0.05"),
                               describe_value(evidence, {"silhouettes", round, "2 layers"},

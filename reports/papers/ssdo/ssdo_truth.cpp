@@ -1,3 +1,4 @@
+#include "core/base/text.hpp"
 #include "reports/analysis/wording.hpp"
 #include "reports/papers/ssdo/ssdo_parts.hpp"
 
@@ -19,10 +20,10 @@ Comparison compare_scenes(const Evidence& evidence, Reach reach, const char* a, 
         const Estimate difference = compare_values(evidence, "fig13", round, a, b, "rmse");
         comparison.outcomes.push_back(judge_below(difference, 0.0));
         if (comparison.outcomes.back() != Outcome::holds) {
-            comparison.exceptions +=
-                fmt::format("{}{} {} ({})", comparison.exceptions.empty() ? "" : ", ",
-                            evidence.get_round("fig13", round).scene, describe_estimate(difference),
-                            to_text(comparison.outcomes.back()));
+            comparison.exceptions += fmt::format(
+                "{}{} {} ({})", comparison.exceptions.empty() ? "" : ", ",
+                name_scene(evidence, "fig13", round), format_rounded(difference.value, 2),
+                to_text(comparison.outcomes.back()));
         }
     }
     return comparison;
@@ -59,10 +60,11 @@ void judge_order_of_errors(const Evidence& evidence, Judge& judge) {
                "rmse to one-bounce path tracing of all there is falls from nothing to SSAO, SSDO, "
                "and SSDO with a bounce, in each of twelve scenes",
                average_scenes(evidence, Reach::full, "bounce", "nothing"),
-               "measured: with a bounce - nothing, over scenes. Exceptions (rmse, interval over "
+               "measured: with a bounce - nothing, over scenes. Exceptions (rmse, mean over "
                "six views)" +
                    exceptions +
-                   ". Where they lie is in the table of figure 13. Not judged: without occlusion "
+                   ". Intervals and where they lie are in the table of figure 13. Not judged: "
+                   "without occlusion "
                    "light is the surroundings' mean, with SSAO that of each normal's hemisphere" +
                    describe_exceptions("SSDO - SSAO with SSDO's weights", weights)});
 }
@@ -98,7 +100,7 @@ void judge_flicker(const Evidence& evidence, Judge& judge) {
                 estimate_value(evidence, "flicker", round, "SSAO", "temporal_flicker");
             outcomes.push_back(judge_below(difference, 0.1 * own.value));
             all += fmt::format(
-                "; {}, {}: {} against {} ({})", evidence.get_round("flicker", round).scene, what,
+                "; {}, {}: {} against {} ({})", name_scene(evidence, "flicker", round), what,
                 describe_estimate(difference), describe_estimate(own), to_text(outcomes.back()));
         }
     }
