@@ -89,7 +89,9 @@ void judge_limit(const Evidence& evidence, Judge& judge) {
           left}},
         "direct light: rmse falls at each fourfold of samples from 4 to 256, with a second layer, "
         "and with four cameras; a bounce leaves more error at 256 samples than direct light has");
-    finding.why += "; left by a bounce beyond what direct light has: " + left;
+    finding.why += "; left by a bounce beyond what direct light has: " + left +
+                   ". Solids of these scenes reach into each other, so that consecutive layers are "
+                   "no fronts and backs of one solid, as two layers take them";
     judge.set("SSDO-088", finding);
 }
 
