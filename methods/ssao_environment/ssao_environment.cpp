@@ -38,6 +38,11 @@ ParameterTable make_table() {
                 .meaning("What a free sample counts: the cosine to the normal, or all alike, as "
                          "classic ambient occlusion.")
                 .source("uniform: Ritschel et al. 2009"),
+            choice(&P::dimmed, "dimmed", {"surroundings", "all"})
+                .rebuild()
+                .meaning("What visibility is multiplied on: the light of the surroundings, or "
+                         "direct light with its shadow maps as well.")
+                .source("all: Ritschel et al. 2009, figure 10"),
             describe_fade(&P::fade),
             describe_border(&P::border),
             describe_bias(&P::bias),
@@ -50,13 +55,19 @@ class SsaoEnvironment final : public Method {
   public:
     SsaoEnvironment(const gl::Functions& gl, const ResolvedParameters& resolved)
         : m_gl(gl), m_params(make_table().bind<SsaoEnvironmentParams>(resolved)),
-          m_parameters(gl, make_table(), resolved), m_occlusion(build(false)), m_blur(gl) {
+          m_parameters(gl, make_table(), resolved),
+          m_occlusion(build(m_params.dimmed == DimmedLight::all)), m_blur(gl) {
+        if (m_params.dimmed == DimmedLight::all) {
+            m_shade =
+                FullScreenProgram(gl, make_method_shader_library(),
+                                  "methods/ssao_environment/ssao_environment_shade_all.frag.glsl");
+        }
         const auto kernel = make_sample_sets(m_params.tile, m_params.samples);
         m_kernel = gl::create_buffer(gl, std::as_bytes(std::span(kernel)));
     }
 
     MethodRequests get_requests() const override {
-        return {{Channel::eye_depth, Channel::normal, Channel::albedo}};
+        return {{Channel::eye_depth, Channel::normal, Channel::albedo, Channel::direct_light}};
     }
 
     void resize(ImageSize size) override {
@@ -71,26 +82,24 @@ class SsaoEnvironment final : public Method {
     MethodOutput render(const MethodInputs& inputs, PassRecorder& passes) override {
         ALCOVE_ASSERT(inputs.surroundings.prefiltered != nullptr, "light from all around");
         MethodOutput output;
-        if (inputs.wants_visibility) {
-            if (!m_visibility) {
-                m_visibility = gl::Texture(m_gl, GL_R32F, inputs.view.size);
-                m_visibility_framebuffer = gl::create_framebuffer(m_gl, {&m_visibility});
-            }
-            if (!m_shows_visibility) {
-                m_shows_visibility = build(true);
+        if (m_params.dimmed == DimmedLight::all) {
+            output.visibility = &render_visibility(inputs, m_occlusion, "occlusion", passes);
+            shade_all(inputs, passes);
+            output.replaces_direct_light = true;
+        } else {
+            if (inputs.wants_visibility) {
+                if (!m_shows_visibility) {
+                    m_shows_visibility = build(true);
+                }
+                output.visibility =
+                    &render_visibility(inputs, *m_shows_visibility, "visibility", passes);
             }
             {
-                const auto pass = passes.scope("ssao_environment/visibility");
-                draw(inputs, *m_shows_visibility);
+                const auto pass = passes.scope("ssao_environment/occlusion");
+                draw(inputs, m_occlusion);
             }
-            finish(inputs, m_visibility_framebuffer.get(), false, passes);
-            output.visibility = &m_visibility;
+            finish(inputs, m_radiance_framebuffer.get(), true, passes);
         }
-        {
-            const auto pass = passes.scope("ssao_environment/occlusion");
-            draw(inputs, m_occlusion);
-        }
-        finish(inputs, m_radiance_framebuffer.get(), true, passes);
         output.radiance = &m_radiance;
         return output;
     }
@@ -124,6 +133,35 @@ class SsaoEnvironment final : public Method {
         program.draw(m_incoming_framebuffer.get(), inputs.view.size);
     }
 
+    const gl::Texture& render_visibility(const MethodInputs& inputs,
+                                         const FullScreenProgram& program, const std::string& pass,
+                                         PassRecorder& passes) {
+        if (!m_visibility) {
+            m_visibility = gl::Texture(m_gl, GL_R32F, inputs.view.size);
+            m_visibility_framebuffer = gl::create_framebuffer(m_gl, {&m_visibility});
+        }
+        {
+            const auto scope = passes.scope("ssao_environment/" + pass);
+            draw(inputs, program);
+        }
+        finish(inputs, m_visibility_framebuffer.get(), false, passes);
+        return m_visibility;
+    }
+
+    /// From the blurred visibility.
+    void shade_all(const MethodInputs& inputs, PassRecorder& passes) {
+        const auto pass = passes.scope("ssao_environment/shade_all");
+        m_shade.use();
+        m_gl.BindTextureUnit(0, m_visibility.get());
+        m_gl.BindTextureUnit(1, inputs.gbuffer.texture(Channel::normal).get());
+        m_gl.BindTextureUnit(2, inputs.gbuffer.texture(Channel::albedo).get());
+        m_gl.BindTextureUnit(3, inputs.gbuffer.texture(Channel::direct_light).get());
+        m_gl.BindTextureUnit(4, inputs.surroundings.prefiltered->get());
+        m_gl.UniformMatrix3fv(m_shade.location("map_from_view"), 1, GL_FALSE,
+                              glm::value_ptr(inputs.surroundings.map_from_view));
+        m_shade.draw(m_radiance_framebuffer.get(), inputs.view.size);
+    }
+
     void finish(const MethodInputs& inputs, GLuint target, bool is_shaded, PassRecorder& passes) {
         m_blur.render(inputs,
                       {m_params.blur ? m_params.tile : 1, m_params.blur_edge * m_params.radius},
@@ -134,6 +172,7 @@ class SsaoEnvironment final : public Method {
     SsaoEnvironmentParams m_params;
     ParameterBlock m_parameters;
     FullScreenProgram m_occlusion;
+    FullScreenProgram m_shade;                           ///< where all light is dimmed
     std::optional<FullScreenProgram> m_shows_visibility; ///< compiled when it is first asked for
     TileBlur m_blur;
     gl::BufferHandle m_kernel;
@@ -150,6 +189,8 @@ std::vector<Preset> make_presets() {
         {"default", "16 samples in 4x4 sets, free samples count alike", {}, 1.0, 2.0, ""},
         {"cosine", "free samples count by their cosine: what a constant environment makes of ssdo",
          make_overrides({{"weighting", "cosine"}}), 1.0, 2.0, ""},
+        {"all_light", "multiplied on direct light with its shadow maps as well",
+         make_overrides({{"dimmed", "all"}}), 1.0, 2.0, ""},
         {"paper_8", "as published: 8 samples, no bias",
          make_overrides({{"samples", "8"}, {"bias", "0"}}), 16.0, 16.0,
          "no depth bias, as published: a tilted plane blocks itself"},

@@ -10,11 +10,15 @@
 
 namespace alcove {
 
+/// What the mean visibility is multiplied on.
+enum class DimmedLight { surroundings, all };
+
 struct SsaoEnvironmentParams {
     double radius = 0.5; ///< metres
     int samples = 16;    ///< a pixel
     int tile = 4;        ///< pixels a side; tile^2 sets
     Weighting weighting = Weighting::uniform;
+    DimmedLight dimmed = DimmedLight::surroundings;
     double fade = 0.5; ///< share of the radius
     KernelBorder border = KernelBorder::open;
     double bias = 1.0; ///< half pixel footprints

@@ -46,6 +46,20 @@ TEST_F(SsdoTest, ConstantLightMakesItCosineWeightedAmbientOcclusion) {
     }
 }
 
+TEST_F(SsdoTest, AmbientOcclusionOnTopDimsShadowMappedLightToo) {
+    const auto scene = open_lit_scene("colour_blocks", "", "environment=sky,shadows=true");
+    const LightShot some = shoot(ssao_environment_unit(), "blur=false", *scene, kSize);
+    const LightShot all = shoot(ssao_environment_unit(), "blur=false,dimmed=all", *scene, kSize);
+    for (std::size_t i = 0; i < all.visibility.values().size(); ++i) {
+        const glm::vec3 expected = get_pixel_at(some.radiance, i) +
+                                   all.visibility.values()[i] * get_pixel_at(some.direct, i);
+        if (std::isfinite(all.eye_depth.values()[i])) {
+            // Radiance is kept in half floats.
+            ASSERT_NEAR(get_pixel_at(all.radiance, i).y, expected.y, 0.002f + 0.002f * expected.y);
+        }
+    }
+}
+
 TEST_F(SsdoTest, UnoccludedPlaneGetsWhatThePrefilteredMapSays) {
     LitScene scene({make_floor(50.0f, 0.0f)});
     Lights lights;
