@@ -17,6 +17,10 @@ namespace {
 constexpr double kSpotMargin = 1.1;
 constexpr double kSpotInnerShare = 0.7;
 
+/// Sine of the angle that the ground fades into the sky over, on either side: four texels of the
+/// octahedral map.
+constexpr float kHorizonSine = 0.1f;
+
 /// The middle and half the diagonal of the box around the vertices as they stand at time 0.
 struct Extent {
     glm::dvec3 centre{0.0};
@@ -39,16 +43,16 @@ Extent find_extent(const Scene& scene) {
 }
 
 glm::vec3 shine_as_sky(const glm::dvec3& direction) {
-    const auto up = static_cast<float>(direction.y);
-    if (up < 0.0f) {
-        return glm::vec3(0.22f, 0.2f, 0.18f);
-    }
+    const auto height = static_cast<float>(direction.y);
+    const glm::vec3 ground(0.22f, 0.2f, 0.18f);
     const glm::vec3 horizon(1.6f, 1.5f, 1.35f);
     const glm::vec3 zenith(0.45f, 0.75f, 1.4f);
-    const float haze = std::exp(-4.0f * up);
+    const float haze = std::exp(-4.0f * std::max(height, 0.0f));
     // One side of the sky is brighter: where the sun has set.
     const auto side = static_cast<float>(0.5 + 0.5 * direction.x);
-    return (zenith + haze * (horizon - zenith)) * (0.6f + 0.8f * side);
+    const glm::vec3 sky = (zenith + haze * (horizon - zenith)) * (0.6f + 0.8f * side);
+    // A sharp horizon would lie along the diagonals of the map's texels, and show as teeth.
+    return glm::mix(ground, sky, glm::smoothstep(-kHorizonSine, kHorizonSine, height));
 }
 
 glm::vec3 shine_in_two_colours(const glm::dvec3& direction) {
