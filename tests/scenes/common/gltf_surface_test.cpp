@@ -176,9 +176,10 @@ TEST_F(GltfSurface, LightsFromTheFile) {
         R"({"KHR_lights_punctual":{"light":0}}},)"
         R"({"extensions":{"KHR_lights_punctual":{"light":1}}}])";
     parts.scene_nodes = "[0,1,2]";
-    const std::string lights = R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":)"
-                               R"({"KHR_lights_punctual":{"lights":[{"type":"directional",)"
-                               R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"KIND","spot":{}}]}})";
+    const std::string lights =
+        R"(,"extensionsUsed":["KHR_lights_punctual"],"extensions":)"
+        R"({"KHR_lights_punctual":{"lights":[{"type":"directional",)"
+        R"("color":[1,0.5,0],"intensity":INTENSITY},{"type":"KIND","spot":{}}]}})";
     std::string kind = "point";
     const auto set_intensity = [&](const std::string& value) {
         parts.more = lights;
