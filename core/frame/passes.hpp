@@ -1,7 +1,8 @@
 #pragma once
-// Named, timed GPU steps. A method wraps every pass in a scope; what is timed is the recorder's
+// Named GPU steps. A method wraps every pass in a scope; what is timed or counted is the recorder's
 // business.
 
+#include "core/gl/fetch_counter.hpp"
 #include "core/gl/timer.hpp"
 
 #include <string>
@@ -22,6 +23,8 @@ class PassRecorder {
         : m_timing(timing), m_timer(timer) {
         ALCOVE_ASSERT(timing != PassTiming::divided || timer != nullptr, "a timer to divide with");
     }
+    /// Untimed: counts what each pass fetches. The counter must outlive the recorder.
+    explicit PassRecorder(gl::FetchCounter& counter) : m_counter(&counter) {}
 
     /// One pass, from construction to destruction. Passes do not nest.
     class Scope {
@@ -41,6 +44,8 @@ class PassRecorder {
 
     /// The passes that ran, in order.
     [[nodiscard]] const std::vector<std::string>& names() const noexcept { return m_names; }
+    /// Fetches of each of names(), of all pixels; empty unless they are counted.
+    [[nodiscard]] const std::vector<std::uint64_t>& fetches() const noexcept { return m_fetches; }
 
   private:
     void begin(std::string name) {
@@ -48,16 +53,24 @@ class PassRecorder {
         if (m_timing == PassTiming::divided) {
             m_timer->begin();
         }
+        if (m_counter != nullptr) {
+            m_counter->begin();
+        }
     }
     void end() {
         if (m_timing == PassTiming::divided) {
             m_timer->end();
         }
+        if (m_counter != nullptr) {
+            m_fetches.push_back(m_counter->read());
+        }
     }
 
-    PassTiming m_timing;
-    gl::IntervalTimer* m_timer;
+    PassTiming m_timing = PassTiming::none;
+    gl::IntervalTimer* m_timer = nullptr;
+    gl::FetchCounter* m_counter = nullptr;
     std::vector<std::string> m_names;
+    std::vector<std::uint64_t> m_fetches;
 };
 
 } // namespace alcove

@@ -51,6 +51,9 @@ class Context {
     /// masks on, default clip control and packing.
     void reset_state();
 
+    /// For FetchCounter alone: whether programs that are built from now on count their fetches.
+    void set_counts_fetches(bool counts) noexcept { m_functions.counts_fetches = counts; }
+
   protected:
     explicit Context(std::string context_name) { m_device.context = std::move(context_name); }
     /// To be called by the derived class once its context is current.

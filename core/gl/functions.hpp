@@ -62,6 +62,7 @@
     X(GETERROR, GetError)                                                                          \
     X(GETINTEGER64V, GetInteger64v)                                                                \
     X(GETINTEGERV, GetIntegerv)                                                                    \
+    X(GETNAMEDBUFFERSUBDATA, GetNamedBufferSubData)                                                \
     X(GETPROGRAMINFOLOG, GetProgramInfoLog)                                                        \
     X(GETPROGRAMIV, GetProgramiv)                                                                  \
     X(GETQUERYOBJECTUI64V, GetQueryObjectui64v)                                                    \
@@ -113,6 +114,8 @@ struct Functions {
 #define ALCOVE_GL_MEMBER(TYPE, NAME) PFNGL##TYPE##PROC NAME = nullptr;
     ALCOVE_GL_FUNCTIONS(ALCOVE_GL_MEMBER)
 #undef ALCOVE_GL_MEMBER
+    /// Programs built with this table count their fetches (core/gl/fetch_counter.hpp).
+    bool counts_fetches = false;
 };
 
 /// Fills the table through `resolve(name)`. Throws FailureError naming the first function the

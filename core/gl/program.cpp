@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 #include "core/base/nearest_name.hpp"
+#include "core/gl/fetch_counter.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -86,8 +87,9 @@ class Expander {
     Expander(const ShaderLibrary& library, const GeneratedFiles& generated)
         : m_library(library), m_generated(generated) {}
 
-    ExpandedSource run(const std::string& file) {
+    ExpandedSource run(const std::string& file, std::string_view prelude) {
         m_source.text = "#version 450 core\n";
+        m_source.text += prelude;
         insert(file, "");
         return std::move(m_source);
     }
@@ -143,7 +145,8 @@ std::string get_log(const Functions& gl, GLuint name, bool is_program) {
 
 ShaderHandle compile(const Functions& gl, const ShaderLibrary& library, const ShaderStage& stage,
                      const GeneratedFiles& generated) {
-    const ExpandedSource source = expand_includes(library, stage.file, generated);
+    const ExpandedSource source = expand_includes(library, stage.file, generated,
+                                                  gl.counts_fetches ? get_counting_text() : "");
     ShaderHandle shader(gl, gl.CreateShader(stage.stage));
     const char* text = source.text.c_str();
     gl.ShaderSource(shader.get(), 1, &text, nullptr);
@@ -188,8 +191,8 @@ void Program::bind_block(const char* name, GLuint binding) const {
 }
 
 ExpandedSource expand_includes(const ShaderLibrary& library, const std::string& file,
-                               const GeneratedFiles& generated) {
-    return Expander{library, generated}.run(file);
+                               const GeneratedFiles& generated, std::string_view prelude) {
+    return Expander{library, generated}.run(file, prelude);
 }
 
 std::string name_places(std::string_view log, const ExpandedSource& source) {

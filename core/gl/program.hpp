@@ -70,8 +70,10 @@ struct ExpandedSource {
     };
     std::vector<File> files;
 };
+/// `prelude` stands behind #version.
 [[nodiscard]] ExpandedSource expand_includes(const ShaderLibrary& library, const std::string& file,
-                                             const GeneratedFiles& generated);
+                                             const GeneratedFiles& generated,
+                                             std::string_view prelude = {});
 
 /// Rewrites the driver's "k:line(column)" and "k(line)" places into file names.
 [[nodiscard]] std::string name_places(std::string_view log, const ExpandedSource& source);

@@ -100,6 +100,9 @@ void ExperimentFlags::add_to(CLI::App& app) {
     app.add_flag("--explain-errors", explain_errors,
                  "errors of single frames taken apart (method, estimator, screen space), and the "
                  "best monotone curve of each method");
+    app.add_flag("--count-fetches", count_fetches,
+                 "texture fetches of every pass, counted in a replay of its own: a cost that is "
+                 "the same on every device");
     app.add_flag("--strata", strata,
                  "image metrics also over depth edges, creases, three ranges of viewing angle, "
                  "moving objects and dark values");
@@ -158,6 +161,7 @@ Experiment make_experiment(const ExperimentFlags& flags, const std::string& fall
         experiment.settings = parse_settings(split(*flags.settings, ','));
     }
     experiment.explains_errors = experiment.explains_errors || flags.explain_errors;
+    experiment.counts_fetches = experiment.counts_fetches || flags.count_fetches;
     experiment.measures_strata = experiment.measures_strata || flags.strata;
     if (flags.regions) {
         experiment.regions = split(*flags.regions, ',');

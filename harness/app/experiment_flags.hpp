@@ -35,6 +35,7 @@ struct ExperimentFlags {
     std::optional<std::string> effects;
     std::optional<std::string> settings;
     bool explain_errors = false;
+    bool count_fetches = false;
     bool strata = false;
     std::optional<std::string> regions;
     std::optional<double> audit;

@@ -98,6 +98,7 @@ struct Experiment {
     std::vector<std::string> regions;
     /// Errors of single frames taken apart (DESIGN 3.7), and the best monotone curve of a method.
     bool explains_errors = false;
+    bool counts_fetches = false; ///< of every pass, in a replay of its own
     std::uint64_t shuffle_seed = 1;
     double audit_share = 0.01;    ///< of what caches give, made anew and compared; 0 to 1
     std::uint64_t audit_seed = 1; ///< chooses which

@@ -76,6 +76,9 @@ class ExperimentReader {
         if (const auto explains = m_root.get_boolean("explain_errors")) {
             m_experiment.explains_errors = *explains;
         }
+        if (const auto counts = m_root.get_boolean("count_fetches")) {
+            m_experiment.counts_fetches = *counts;
+        }
         if (const auto strata = m_root.get_boolean("strata")) {
             m_experiment.measures_strata = *strata;
         }

@@ -3,8 +3,8 @@
 namespace alcove {
 
 MethodCell::MethodCell(gl::Context& context, const MethodUnit& unit, const CellRecord& record,
-                       ImageSize size)
-    : m_context(context), m_record(record), m_size(size),
+                       ImageSize size, gl::FetchCounter* counter)
+    : m_context(context), m_record(record), m_size(size), m_counter(counter),
       m_method(unit.create(context, read_parameters(unit, record))),
       m_effects(parse_effects(record.effects)) {
     m_method->set_effects(m_effects);
@@ -21,7 +21,9 @@ MethodOutput MethodCell::render(const MethodInputs& inputs, PassTiming timing,
                                 gl::IntervalTimer& timer, CellTimes& times) {
     m_context.reset_state();
     m_context.functions().Finish();
-    PassRecorder recorder(timing, &timer);
+    ALCOVE_ASSERT(m_counter == nullptr || timing == PassTiming::none, "what counts is not timed");
+    PassRecorder recorder =
+        m_counter != nullptr ? PassRecorder(*m_counter) : PassRecorder(timing, &timer);
     if (timing == PassTiming::envelope) {
         timer.begin();
     }
@@ -30,6 +32,7 @@ MethodOutput MethodCell::render(const MethodInputs& inputs, PassTiming timing,
         timer.end();
     }
     times.passes = recorder.names();
+    times.fetches = recorder.fetches();
     times.pass_ns.clear();
     if (timing != PassTiming::none) {
         times.pass_ns = timer.collect();

@@ -11,14 +11,16 @@ namespace alcove {
 /// One frame's times of one cell.
 struct CellTimes {
     std::vector<std::string> passes;
-    std::vector<std::int64_t> pass_ns; ///< as many as passes (divided), or one (envelope), or none
+    std::vector<std::int64_t> pass_ns;  ///< as many as passes (divided), or one (envelope), or none
+    std::vector<std::uint64_t> fetches; ///< as many as passes where they are counted, else none
 };
 
 class MethodCell {
   public:
-    /// Creates the method (compiles its shaders) and allocates for the size.
+    /// Creates the method (compiles its shaders) and allocates for the size. With a counter, which
+    /// must outlive it, its passes are counted and never timed.
     MethodCell(gl::Context& context, const MethodUnit& unit, const CellRecord& record,
-               ImageSize size);
+               ImageSize size, gl::FetchCounter* counter = nullptr);
 
     [[nodiscard]] const CellRecord& record() const noexcept { return m_record; }
     [[nodiscard]] bool has_passes() const noexcept { return m_record.has_passes; }
@@ -41,6 +43,7 @@ class MethodCell {
     gl::Context& m_context;
     const CellRecord& m_record;
     ImageSize m_size;
+    gl::FetchCounter* m_counter;
     std::unique_ptr<Method> m_method;
     EffectSet m_effects;
     MethodRequests m_requests;

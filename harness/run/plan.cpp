@@ -324,6 +324,7 @@ MadePlan make_plan(const Experiment& experiment, const Units& units) {
     record.shuffle_seed = experiment.shuffle_seed;
     record.reference_rays_per_half = experiment.reference_rays_per_half;
     record.explains_errors = experiment.explains_errors;
+    record.counts_fetches = experiment.counts_fetches;
     record.audit_share = experiment.audit_share;
     record.audit_seed = experiment.audit_seed;
     for (const SkippedCombination& skipped : experiment.skipped) {

@@ -2,6 +2,7 @@
 
 #include "harness/run/effects_saving.hpp"
 #include "harness/run/error_explainer.hpp"
+#include "harness/run/fetch_count.hpp"
 #include "harness/run/machine_watch.hpp"
 #include "harness/run/repeat_rule.hpp"
 #include "harness/run/round_capture.hpp"
@@ -58,6 +59,10 @@ RoundResult run_round(gl::Context& context, gl::TimerMode timer_mode, const Unit
         if (plan.explains_errors) {
             // Behind reuse: its pictures are no part of a cell's capture.
             ErrorExplainer(stage, result.done, run_folder).run();
+        }
+        if (plan.counts_fetches) {
+            const WallTime counting_wall(result.done.counting_s);
+            result.done.fetches = count_fetches(stage);
         }
         result.done.gbuffers_drawn = static_cast<int>(stage.gbuffers().drawn());
         result.done.gbuffers_loaded = static_cast<int>(stage.gbuffers().loaded());

@@ -12,8 +12,17 @@
 namespace alcove {
 namespace {
 
+std::optional<double> find_fetches(const RoundDone& done, const std::string& cell,
+                                   const std::string& pass) {
+    const auto found =
+        std::find_if(done.fetches.begin(), done.fetches.end(), [&](const FetchRecord& record) {
+            return record.cell == cell && record.pass == pass;
+        });
+    return found == done.fetches.end() ? std::nullopt : std::optional(found->fetches_per_pixel);
+}
+
 std::vector<PassAnalysis> analyze_passes(const CellRecord& cell, const CellSeries& series,
-                                         double tick_ns, double pixels) {
+                                         const RoundDone& done, double tick_ns, double pixels) {
     std::vector<PassAnalysis> passes;
     for (const std::string& name : series.pass_order) {
         PassAnalysis pass;
@@ -23,6 +32,7 @@ std::vector<PassAnalysis> analyze_passes(const CellRecord& cell, const CellSerie
         pass.is_cached = series.cached.at(name);
         if (!pass.is_input) {
             pass.ns_per_pixel = pass.time_ms.value * 1e6 / pixels;
+            pass.fetches_per_pixel = find_fetches(done, cell.id, name);
             if (name == cell.sampling_pass) {
                 pass.ns_per_sample = *pass.ns_per_pixel / cell.samples_per_pixel;
             }
@@ -111,7 +121,8 @@ std::vector<double> list_repeat_logs(CellRole role, const Series& envelope, cons
 }
 
 CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, const Series& base,
-                          const Series& anchor, double tick_ns, double pixels) {
+                          const Series& anchor, const RoundDone& done, double tick_ns,
+                          double pixels) {
     CellAnalysis cell;
     cell.cell = record;
     cell.time_ms = estimate_time_ms(series.envelope);
@@ -126,7 +137,7 @@ CellAnalysis analyze_cell(const CellRecord& record, const CellSeries& series, co
     cell.total_ms = estimate_total(series, base, record.has_passes);
     cell.has_cached_input = std::any_of(series.cached.begin(), series.cached.end(),
                                         [](const auto& entry) { return entry.second; });
-    cell.passes = analyze_passes(record, series, tick_ns, pixels);
+    cell.passes = analyze_passes(record, series, done, tick_ns, pixels);
     cell.coverage = estimate_repeats(divide_repeats(series.divided, series.envelope));
     analyze_frames(cell, series.envelope);
     const std::vector<double> logs = list_repeat_logs(record.role, series.envelope, anchor);
@@ -151,7 +162,7 @@ RoundAnalysis analyze_round(const RunFolder& run, const RoundRecord& round,
     };
     const Series anchor = find_role(CellRole::anchor);
     for (const CellRecord& cell : round.cells) {
-        result.cells.push_back(analyze_cell(cell, series[cell.id], base, anchor,
+        result.cells.push_back(analyze_cell(cell, series[cell.id], base, anchor, result.done,
                                             run.context().timer_tick_ns,
                                             static_cast<double>(round.width) * round.height));
     }

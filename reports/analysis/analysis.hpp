@@ -32,8 +32,10 @@ struct Percentiles {
 struct PassAnalysis {
     std::string pass; ///< "tssao/reproject"; "input/motion" for an input cost
     Estimate time_ms; ///< median over frames, mean across repeats; an input cost may be negative
-    std::optional<double> ns_per_pixel;  ///< time over the image's pixels; none for an input cost
-    std::optional<double> ns_per_sample; ///< of the pass that takes samples, if their number is known
+    std::optional<double> ns_per_pixel; ///< time over the image's pixels; none for an input cost
+    std::optional<double>
+        ns_per_sample; ///< of the pass that takes samples, if their number is known
+    std::optional<double> fetches_per_pixel; ///< if they were counted; none for an input cost
     bool is_input = false;
     bool is_cached = false;           ///< stored with a reused G-buffer
     bool is_under_resolution = false; ///< median below kResolvedTicks ticks of the timer

@@ -22,6 +22,7 @@ void add_line(CsvTable& table, const RunAnalysis& analysis, const RoundRecord& r
     table.add_estimate("time_ms", pass.time_ms);
     table.add("ns_per_pixel", pass.ns_per_pixel);
     table.add("ns_per_sample", pass.ns_per_sample);
+    table.add("fetches_per_pixel", pass.fetches_per_pixel);
     table.add_flag("cached", pass.is_cached);
     table.add_flag("under_resolution", pass.is_under_resolution);
 }

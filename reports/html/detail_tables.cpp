@@ -81,7 +81,7 @@ std::string make_error_table(const RoundAnalysis& round) {
            rows + "</tbody></table></div>\n";
 }
 
-std::string make_nanoseconds(const std::optional<double>& value) {
+std::string make_number_cell(const std::optional<double>& value) {
     return value ? fmt::format("<td data-value=\"{}\">{}</td>", *value, format_rounded(*value, 3))
                  : std::string("<td></td>");
 }
@@ -109,11 +109,11 @@ std::string make_pass_rows(const CellAnalysis& cell, std::size_t index) {
                                         get_series_class(cell, index),
                                         100.0 * std::clamp(share, 0.0, 1.0), 100.0 * share);
         text += fmt::format(
-            "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"text\">{} {}</td>{}{}{}<td "
+            "<tr><th scope=\"row\" class=\"name\">{}</th><td class=\"text\">{} {}</td>{}{}{}{}<td "
             "class=\"share\">{}</td>",
             make_label(cell, index), escape_html(pass.pass), marks,
-            make_estimate_cell(pass.time_ms), make_nanoseconds(pass.ns_per_pixel),
-            make_nanoseconds(pass.ns_per_sample), bar);
+            make_estimate_cell(pass.time_ms), make_number_cell(pass.ns_per_pixel),
+            make_number_cell(pass.ns_per_sample), make_number_cell(pass.fetches_per_pixel), bar);
         text += &pass == &cell.passes.back() ? make_estimate_cell(cell.coverage) : "<td></td>";
         text += "</tr>\n";
     }
@@ -133,11 +133,12 @@ std::string make_pass_table(const RunAnalysis& analysis, const RoundAnalysis& ro
         "with what the method declares minus the base G-buffer and may be negative. Pixels are the "
         "image's, at half resolution as well; samples those of the pass that takes them, where "
         "their "
-        "number is fixed.</p>\n"
+        "number is fixed. Fetches from textures and images are counted with --count-fetches, over "
+        "the image's pixels as well, and are the same on every device.</p>\n"
         "<div class=\"scroll\"><table><thead><tr><th class=\"name\">Method</th><th "
         "class=\"text\">Pass</th><th>Time<small>ms <em>{}</em></small></th><th>ns a "
         "pixel</th><th>ns "
-        "a sample</th><th class=\"share\">Share of its "
+        "a sample</th><th>Fetches a pixel</th><th class=\"share\">Share of its "
         "passes</th><th>Coverage</th></tr></thead><tbody>\n{}</tbody></table></div>\n",
         escape_html(analysis.context.device_class), rows);
 }

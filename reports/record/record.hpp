@@ -21,7 +21,7 @@ namespace alcove {
 
 /// Raised whenever a file's layout or a column's meaning changes; older and newer folders are
 /// refused by name.
-inline constexpr int kRunSchemaVersion = 5;
+inline constexpr int kRunSchemaVersion = 6;
 
 /// divided: one row a pass, timed pass by pass. envelope: one row a frame, timed as one piece.
 /// Intervals and gates use the envelope.
@@ -205,6 +205,7 @@ struct PlanRecord {
     std::uint64_t shuffle_seed = 0;
     int reference_rays_per_half = 0;
     bool explains_errors = false; ///< RoundDone::steps and curves are measured
+    bool counts_fetches = false;  ///< RoundDone::fetches are counted
     double audit_share = 0.0;     ///< of what caches give, made anew and compared
     std::uint64_t audit_seed = 0;
     std::vector<RoundRecord> rounds;
@@ -306,6 +307,15 @@ struct CurveRecord {
     std::vector<double> curved;     ///< what it makes of them
 };
 
+/// What one pass of a cell fetches from textures and images.
+struct FetchRecord {
+    std::string cell;
+    std::string pass; ///< "ssdo/direct"
+    /// Over the pixels of the round's image, also where the pass covers fewer; mean over `frames`.
+    double fetches_per_pixel = 0.0;
+    int frames = 0;
+};
+
 /// What else the machine did during one timing replay. Empty where the system does not say.
 struct MachineRecord {
     double wall_s = 0.0;
@@ -351,6 +361,8 @@ struct RoundDone {
     std::vector<ThicknessRecord> thicknesses;
     std::vector<StepRecord> steps;
     std::vector<CurveRecord> curves;
+    double counting_s = 0.0; ///< fetches; part of the wall time, of no other
+    std::vector<FetchRecord> fetches;
     RepeatsRecord repeats;
     std::vector<MachineRecord> machine; ///< one a timing replay
 };

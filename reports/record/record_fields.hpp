@@ -138,6 +138,7 @@ void visit(V& v, PlanRecord& r) {
     v("shuffle_seed", r.shuffle_seed);
     v("reference_rays_per_half", r.reference_rays_per_half);
     v("explains_errors", r.explains_errors);
+    v("counts_fetches", r.counts_fetches);
     v("audit_share", r.audit_share);
     v("audit_seed", r.audit_seed);
     v("rounds", r.rounds);
@@ -231,6 +232,14 @@ void visit(V& v, CurveRecord& r) {
 }
 
 template <class V>
+void visit(V& v, FetchRecord& r) {
+    v("cell", r.cell);
+    v("pass", r.pass);
+    v("fetches_per_pixel", r.fetches_per_pixel);
+    v("frames", r.frames);
+}
+
+template <class V>
 void visit(V& v, MachineRecord& r) {
     v("wall_s", r.wall_s);
     v("load", r.load);
@@ -270,6 +279,8 @@ void visit(V& v, DoneFile& r) {
     v("thicknesses", r.done.thicknesses);
     v("steps", r.done.steps);
     v("curves", r.done.curves);
+    v("counting_s", r.done.counting_s);
+    v("fetches", r.done.fetches);
     v("repeats", r.done.repeats);
     v("machine", r.done.machine);
 }

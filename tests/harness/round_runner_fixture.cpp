@@ -58,6 +58,7 @@ void RoundRunnerTest::run(const std::vector<std::string>& methods, int repeats, 
     experiment.reference_rays_per_half = 16;
     experiment.audit_share = m_audit_share;
     experiment.explains_errors = m_explains_errors;
+    experiment.counts_fetches = m_counts_fetches;
     experiment.measures_strata = m_measures_strata;
     experiment.regions = m_regions;
     experiment.targets = {m_target};

@@ -51,6 +51,8 @@ class RoundRunnerTest : public GlTest {
     double m_audit_share = 0.0;
     /// Set before run(): errors of the singles are taken apart.
     bool m_explains_errors = false;
+    /// Set before run(): fetches of every pass are counted.
+    bool m_counts_fetches = false;
     /// Set before run(): image metrics also over strata.
     bool m_measures_strata = false;
     /// Set before run(): repeats go on until every interval is this narrow.

@@ -1,4 +1,4 @@
-// passes.csv: a line a pass, with its time a pixel and a sample.
+// passes.csv: a line a pass, with its time a pixel and a sample, and what it fetches.
 #include "reports/csv/passes_csv.hpp"
 #include "reports/record/csv.hpp"
 #include "tests/reports/synthetic_run.hpp"
@@ -46,8 +46,10 @@ TEST(PassesCsv, TellsTimesAPixelAndASampleWhereTheyExist) {
         const double ns_per_pixel = parse_number(line.at("ns_per_pixel"), "ns_per_pixel");
         EXPECT_NEAR(ns_per_pixel, ms * 1e6 / pixels, 1e-9 * ns_per_pixel);
         if (line.at("ns_per_sample").empty()) {
+            EXPECT_EQ(line.at("fetches_per_pixel"), "");
             continue;
         }
+        EXPECT_EQ(line.at("fetches_per_pixel"), "18.5");
         EXPECT_EQ(line.at("cell"), "hemisphere_ssao");
         EXPECT_EQ(line.at("pass"), "hemisphere_ssao/occlusion");
         EXPECT_NEAR(parse_number(line.at("ns_per_sample"), "ns_per_sample"), ns_per_pixel / 16.0,

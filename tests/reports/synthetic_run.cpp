@@ -241,6 +241,7 @@ RoundDone make_done(const Options& options) {
     for (int repeat = 0; repeat < options.repeats; ++repeat) {
         done.machine.push_back({10.0, 1.5, 0.02, 0.0, 40.0, 2400.0 + repeat});
     }
+    done.fetches.push_back({"hemisphere_ssao", "hemisphere_ssao/occlusion", 18.5, 3});
     done.wall_s = 61.5;
     done.gbuffer_s = 4.0;
     done.passes_s = 40.0;
