@@ -19,7 +19,7 @@ struct SsaoEnvironmentParams {
     int tile = 4;        ///< pixels a side; tile^2 sets
     Weighting weighting = Weighting::uniform;
     DimmedLight dimmed = DimmedLight::surroundings;
-    double fade = 0.5; ///< share of the radius
+    double fade = 0.8; ///< share of the radius
     KernelBorder border = KernelBorder::open;
     double bias = 1.0; ///< half pixel footprints
     bool blur = true;

@@ -15,7 +15,7 @@ struct SsdoParams {
     double radius = 0.5; ///< metres
     int samples = 16;    ///< a pixel
     int tile = 4;        ///< pixels a side; tile^2 sets
-    double fade = 0.5;   ///< share of the radius
+    double fade = 0.8;   ///< share of the radius
     KernelBorder border = KernelBorder::open;
     double bias = 1.0;                                          ///< half pixel footprints
     double thickness = std::numeric_limits<double>::infinity(); ///< metres
