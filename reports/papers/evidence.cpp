@@ -35,6 +35,7 @@ void Evidence::add(const std::string& part, const RunFolder& run) {
         std::copy_if(samples.begin(), samples.end(), std::back_inserter(own),
                      [&round](const SampleRow& row) { return row.round == round.id; });
         loaded.series.push_back(sort_samples(own));
+        loaded.fetches.push_back(run.read_done(round.id).value_or(RoundDone{}).fetches);
     }
     m_parts.insert_or_assign(part, std::move(loaded));
     m_context = run.context();
@@ -92,6 +93,17 @@ std::map<int, double> Evidence::get_frame_ms(const CellAddress& address) const {
     std::map<int, double> frame =
         alcove::add(base.compute_repeat_medians_ms(), series->compose.compute_repeat_medians_ms());
     return series->envelope.empty() ? frame : alcove::add(frame, get_cost_ms(address));
+}
+
+std::optional<double> Evidence::find_fetches(const CellAddress& address,
+                                             const std::string& pass) const {
+    const std::string& cell = get_cell(address).id;
+    for (const FetchRecord& record : get_part(address.part).fetches.at(address.round)) {
+        if (record.cell == cell && record.pass == pass) {
+            return record.fetches_per_pixel;
+        }
+    }
+    return std::nullopt;
 }
 
 std::map<int, double> Evidence::get_passes_ms(const CellAddress& address,

@@ -38,6 +38,9 @@ class Evidence {
     /// By repeat, the median over frames of some passes' sum, in milliseconds.
     [[nodiscard]] std::map<int, double> get_passes_ms(const CellAddress& address,
                                                       const std::vector<std::string>& passes) const;
+    /// What a pass fetches a pixel; nothing unless the part's run counted it.
+    [[nodiscard]] std::optional<double> find_fetches(const CellAddress& address,
+                                                     const std::string& pass) const;
     /// By frame, the median over repeats of passes and input.
     [[nodiscard]] std::vector<double> get_frame_costs_ms(const CellAddress& address) const;
 
@@ -69,7 +72,8 @@ class Evidence {
   private:
     struct Part {
         PlanRecord plan;
-        std::vector<RoundSeries> series; ///< in the plan's order
+        std::vector<RoundSeries> series;               ///< in the plan's order
+        std::vector<std::vector<FetchRecord>> fetches; ///< likewise
         std::vector<MetricRow> metrics;
     };
 

@@ -66,7 +66,7 @@ struct SsdoRow {
                                       const std::string& metric);
 
 /// Rounds of part `fig13`: two of each scene, near and full.
-inline constexpr std::size_t kFig13Scenes = 12;
+inline constexpr std::size_t kFig13Scenes = 20;
 enum class Reach : std::size_t { near = 0, full = 1 };
 [[nodiscard]] std::size_t find_fig13_round(std::size_t scene, Reach reach);
 

@@ -57,8 +57,9 @@ void judge_order_of_errors(const Evidence& evidence, Judge& judge) {
     }
     judge.set("SSDO-067",
               {combine(outcomes),
-               "rmse to one-bounce path tracing of all there is falls from nothing to SSAO, SSDO, "
-               "and SSDO with a bounce, in each of twelve scenes",
+               fmt::format("rmse to one-bounce path tracing of all there is falls from nothing to "
+                           "SSAO, SSDO, and SSDO with a bounce, in each of {} scenes",
+                           kFig13Scenes),
                average_scenes(evidence, Reach::full, "bounce", "nothing"),
                "measured: with a bounce - nothing, over scenes. Exceptions (rmse, mean over "
                "six views)" +
@@ -81,8 +82,9 @@ void judge_never_worse(const Evidence& evidence, Judge& judge) {
     judge.set(
         "SSDO-090",
         {combine(outcomes),
-         "rmse of SSDO is below SSAO's in each of twelve scenes, against path tracing of what "
-         "lies within the radius and of all there is",
+         fmt::format("rmse of SSDO is below SSAO's in each of {} scenes, against path tracing of "
+                     "what lies within the radius and of all there is",
+                     kFig13Scenes),
          average_scenes(evidence, Reach::near, "SSDO", "SSAO"),
          "measured: SSDO - SSAO over scenes, within the radius. Exceptions" + exceptions +
              ". Flicker is SSDO-080"});
