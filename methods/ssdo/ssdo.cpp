@@ -12,39 +12,16 @@ ParameterTable make_table() {
     return describe_parameters(
         "ssdo",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r_max")
-                .default_expression("scene_radius")
-                .meaning("Reach of the samples.")
-                .source(kRitschel2009),
-            integer(&P::samples, "samples")
-                .range(4, 256)
-                .log_scale()
-                .rebuild()
-                .unit("samples")
-                .symbol("N")
-                .meaning("Samples a pixel and pass.")
-                .source(kRitschel2009),
+            describe_radius(&P::radius).symbol("r_max").source(kRitschel2009),
+            describe_set_samples(&P::samples).meaning("Samples a pixel and pass."),
             describe_tile(&P::tile),
             describe_fade(&P::fade),
             describe_border(&P::border),
             describe_bias(&P::bias),
-            real(&P::thickness, "thickness")
-                .range(1e-3, std::numeric_limits<double>::infinity())
-                .log_scale()
-                .unit("m")
-                .meaning("Depth of solids whose back no layer knows.")
-                .source("ours; inf: Ritschel et al. 2009"),
-            integer(&P::layers, "layers")
-                .range(1, kMostLayers)
-                .rebuild()
-                .unit("layers")
+            describe_thickness(&P::thickness),
+            describe_layers(&P::layers)
                 .meaning("Depth layers: 2 and 4 end solids where their backs are, and have them "
-                         "send light.")
-                .source(kRitschel2009),
+                         "send light."),
             integer(&P::views, "views")
                 .range(0, static_cast<int>(kMostViews))
                 .rebuild()
