@@ -1,5 +1,6 @@
 #include "methods/ssdo/ssdo.hpp"
 
+#include "methods/common/bounce_parameters.hpp"
 #include "methods/common/estimator_parameters.hpp"
 #include "methods/common/unit_parts.hpp"
 #include "methods/ssdo/ssdo_renderer.hpp"
@@ -47,17 +48,9 @@ ParameterTable make_table() {
                 .rebuild()
                 .meaning("One bounce of light from blockers.")
                 .source(kRitschel2009),
-            real(&P::bounce_strength, "bounce_strength")
-                .range(0.0, 10.0)
-                .unit("pi r_max^2 / N")
-                .symbol("A_s")
-                .meaning("Area of a sender's patch.")
-                .source(kRitschel2009),
-            real(&P::distance_clamp, "distance_clamp")
-                .range(1e-6, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("d")
+            describe_sender_area(&P::bounce_strength, "bounce_strength")
+                .meaning("Area of a sender's patch."),
+            describe_sender_clamp(&P::distance_clamp, "distance_clamp")
                 .default_expression("0.5*radius")
                 .meaning("Least distance of a sender.")
                 .source("Ritschel et al. 2009: 1; in radii: ours"),
