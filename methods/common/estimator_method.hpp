@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/vec4.hpp>
@@ -40,6 +41,21 @@ struct EstimatorRecipe {
     double edge_distance_m = 1; ///< off the tangent plane, where a tap's weight is 1/e
     MethodRequests requests{};  ///< beyond eye depth and normal
 };
+
+/// Of a method that declares resolution, blur_radius, upsample_width, blur_edge (in radii) and
+/// radius (metres).
+template <class P>
+[[nodiscard]] EstimatorRecipe make_estimator_recipe(std::string name, const P& params,
+                                                    std::vector<glm::vec4> kernel) {
+    EstimatorRecipe recipe;
+    recipe.name = std::move(name);
+    recipe.kernel = std::move(kernel);
+    recipe.resolution = params.resolution;
+    recipe.blur_radius = params.blur_radius;
+    recipe.upsample_width = params.upsample_width;
+    recipe.edge_distance_m = params.blur_edge * params.radius;
+    return recipe;
+}
 
 /// `preparation` may be null.
 [[nodiscard]] std::unique_ptr<Method>

@@ -5,6 +5,8 @@
 #include "methods/common/estimator_method.hpp"
 #include "methods/common/kernels.hpp"
 
+#include <limits>
+
 namespace alcove {
 
 inline constexpr const char* kMattausch2010 = "Mattausch et al. 2010";
@@ -32,6 +34,38 @@ template <class P>
         .unit("samples")
         .symbol("n")
         .meaning("Samples a pixel.");
+}
+
+/// Compiled into the shader: the length of each set of a tile. Add the meaning.
+template <class P>
+[[nodiscard]] ParameterBuilder describe_set_samples(int P::*field, const char* name = "samples") {
+    return integer(field, name)
+        .range(4, 256)
+        .log_scale()
+        .rebuild()
+        .unit("samples")
+        .symbol("N")
+        .source(kRitschel2009);
+}
+
+/// Depth layers that samples are compared with. Add the meaning.
+template <class P>
+[[nodiscard]] ParameterBuilder describe_layers(int P::*field) {
+    return integer(field, "layers")
+        .range(1, kMostLayers)
+        .rebuild()
+        .unit("layers")
+        .source(kRitschel2009);
+}
+
+template <class P>
+[[nodiscard]] ParameterBuilder describe_thickness(double P::*field) {
+    return real(field, "thickness")
+        .range(1e-3, std::numeric_limits<double>::infinity())
+        .log_scale()
+        .unit("m")
+        .meaning("Depth of solids whose back no layer knows.")
+        .source("ours; inf: Ritschel et al. 2009");
 }
 
 template <class P>

@@ -5,13 +5,17 @@
 #include "core/base/parameters.hpp"
 #include "methods/common/estimator_parameters.hpp"
 
-#include <limits>
-
 namespace alcove {
 
 /// What a map's bias follows: nothing, the slope as published, or the slope up to 80 degrees and
 /// one radius.
 enum class MapBias { none, slope, clamped };
+
+/// Sides of square shadow maps, up to `most` texels. Add meaning and source.
+template <class P>
+[[nodiscard]] ParameterBuilder describe_map_size(int P::*field, const char* name, int most) {
+    return integer(field, name).range(16, most).log_scale().rebuild().unit("texels");
+}
 
 template <class P>
 [[nodiscard]] ParameterBuilder describe_map_bias(MapBias P::*field) {
@@ -53,23 +57,9 @@ template <class P>
 
 template <class P>
 [[nodiscard]] ParameterBuilder describe_correction_layers(int P::*field) {
-    return integer(field, "layers")
-        .range(1, kMostLayers)
-        .rebuild()
-        .unit("layers")
-        .meaning("Depth layers that the samples are compared with: 2 and 4 end solids where their "
-                 "backs are.")
-        .source(kRitschel2009);
-}
-
-template <class P>
-[[nodiscard]] ParameterBuilder describe_thickness(double P::*field) {
-    return real(field, "thickness")
-        .range(1e-3, std::numeric_limits<double>::infinity())
-        .log_scale()
-        .unit("m")
-        .meaning("Depth of solids whose back no layer knows.")
-        .source("ours; inf: Ritschel et al. 2009");
+    return describe_layers(field).meaning(
+        "Depth layers that the samples are compared with: 2 and 4 end solids where their backs "
+        "are.");
 }
 
 template <class P>

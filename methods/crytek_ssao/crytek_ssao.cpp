@@ -37,13 +37,8 @@ MethodUnit crytek_ssao_unit() {
     };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_crytek_table().bind<CrytekSsaoParams>(resolved);
-        EstimatorRecipe recipe;
-        recipe.name = "crytek_ssao";
-        recipe.kernel = make_crytek_kernel(params);
-        recipe.resolution = params.resolution;
-        recipe.blur_radius = params.blur_radius;
-        recipe.upsample_width = params.upsample_width;
-        recipe.edge_distance_m = params.blur_edge * params.radius;
+        EstimatorRecipe recipe =
+            make_estimator_recipe("crytek_ssao", params, make_crytek_kernel(params));
         recipe.requests.samples = params.msaa == CrytekMsaa::off ? 1 : kPictureSamples;
         recipe.requests.samples_take_nearest = params.msaa == CrytekMsaa::nearest_depth;
         return make_estimator_method(context.functions(), make_crytek_table(), resolved, recipe);

@@ -66,13 +66,8 @@ MethodUnit fox_compton_unit() {
     };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<FoxComptonParams>(resolved);
-        EstimatorRecipe recipe;
-        recipe.name = "fox_compton";
-        recipe.kernel = make_disc_kernel(params.samples);
-        recipe.resolution = params.resolution;
-        recipe.blur_radius = params.blur_radius;
-        recipe.upsample_width = params.upsample_width;
-        recipe.edge_distance_m = params.blur_edge * params.radius;
+        const EstimatorRecipe recipe =
+            make_estimator_recipe("fox_compton", params, make_disc_kernel(params.samples));
         return make_estimator_method(context.functions(), make_table(), resolved, recipe);
     };
     return unit;

@@ -95,12 +95,7 @@ MethodUnit hbao_unit() {
     };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<HbaoParams>(resolved);
-        EstimatorRecipe recipe;
-        recipe.name = "hbao";
-        recipe.resolution = params.resolution;
-        recipe.blur_radius = params.blur_radius;
-        recipe.upsample_width = params.upsample_width;
-        recipe.edge_distance_m = params.blur_edge * params.radius;
+        const EstimatorRecipe recipe = make_estimator_recipe("hbao", params, {});
         return make_estimator_method(context.functions(), make_table(), resolved, recipe);
     };
     return unit;

@@ -1,5 +1,6 @@
 #include "methods/instant_radiosity/instant_radiosity.hpp"
 
+#include "methods/common/bounce_parameters.hpp"
 #include "methods/common/unit_parts.hpp"
 #include "methods/instant_radiosity/instant_radiosity_renderer.hpp"
 
@@ -11,12 +12,8 @@ ParameterTable make_table() {
     return describe_parameters(
         "instant_radiosity",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
+            describe_radius(&P::radius)
                 .symbol("r_max")
-                .default_expression("scene_radius")
                 .meaning("Reach of the near bounce; largest distance of what blocks in screen "
                          "space; limit of the clamped bias.")
                 .source(kRitschel2009),
@@ -27,18 +24,10 @@ ParameterTable make_table() {
                 .unit("lights")
                 .meaning("Virtual point lights, of equal luminance, over all lights of the scene.")
                 .source(kRitschel2009),
-            integer(&P::rsm_size, "rsm_size")
-                .range(16, 2048)
-                .log_scale()
-                .rebuild()
-                .unit("texels")
+            describe_map_size(&P::rsm_size, "rsm_size", 2048)
                 .meaning("Side of the reflective shadow map of a light of the scene.")
                 .source("ours"),
-            integer(&P::map_size, "map_size")
-                .range(16, 1024)
-                .log_scale()
-                .rebuild()
-                .unit("texels")
+            describe_map_size(&P::map_size, "map_size", 1024)
                 .meaning("Side of a virtual light's shadow map.")
                 .source("Ritschel et al. 2009; value ours"),
             real(&P::angle, "angle")
@@ -67,25 +56,11 @@ ParameterTable make_table() {
                 .meaning("Bounce of near surfaces on screen: none; what the clamp takes from the "
                          "virtual lights; all of it, which counts near surfaces twice.")
                 .source("added: Ritschel et al. 2009; clamped_part: ours"),
-            integer(&P::near_samples, "near_samples")
-                .range(4, 256)
-                .log_scale()
-                .rebuild()
-                .unit("samples")
-                .symbol("N")
-                .meaning("Samples a pixel of the near bounce.")
-                .source(kRitschel2009),
-            real(&P::near_strength, "near_strength")
-                .range(0.0, 10.0)
-                .unit("pi r_max^2 / N")
-                .symbol("A_s")
-                .meaning("Area of a sender's patch in the near bounce.")
-                .source(kRitschel2009),
-            real(&P::near_clamp, "near_clamp")
-                .range(1e-6, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("d")
+            describe_set_samples(&P::near_samples, "near_samples")
+                .meaning("Samples a pixel of the near bounce."),
+            describe_sender_area(&P::near_strength, "near_strength")
+                .meaning("Area of a sender's patch in the near bounce."),
+            describe_sender_clamp(&P::near_clamp, "near_clamp")
                 .default_expression("0.1*clamp")
                 .meaning("Least distance of a sender in the near bounce.")
                 .source("Ritschel et al. 2009: 1; value ours"),

@@ -82,13 +82,8 @@ MethodUnit line_sampling_unit() {
     };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<LineSamplingParams>(resolved);
-        EstimatorRecipe recipe;
-        recipe.name = "line_sampling";
-        recipe.kernel = make_paired_disc_kernel(params.samples);
-        recipe.resolution = params.resolution;
-        recipe.blur_radius = params.blur_radius;
-        recipe.upsample_width = params.upsample_width;
-        recipe.edge_distance_m = params.blur_edge * params.radius;
+        const EstimatorRecipe recipe =
+            make_estimator_recipe("line_sampling", params, make_paired_disc_kernel(params.samples));
         return make_estimator_method(context.functions(), make_table(), resolved, recipe);
     };
     return unit;

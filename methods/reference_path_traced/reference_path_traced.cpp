@@ -1,6 +1,9 @@
 #include "methods/reference_path_traced/reference_path_traced.hpp"
 
+#include "methods/common/traced_method.hpp"
 #include "methods/common/traced_target.hpp"
+
+#include <utility>
 
 namespace alcove {
 namespace {
@@ -11,14 +14,7 @@ ParameterTable make_table() {
         "reference_path_traced",
         {
             describe_target_radius(&P::radius),
-            integer(&P::rays, "rays")
-                .range(2, 16384)
-                .log_scale()
-                .unit("rays")
-                .symbol("N")
-                .meaning("Rays a pixel in all, in two independent halves; an odd number is rounded "
-                         "down. What they hit casts more.")
-                .source("ours"),
+            describe_reference_rays(&P::rays, " What they hit casts more."),
             describe_target_falloff(&P::falloff),
             choice(&P::reach, "reach", {"near", "full"})
                 .meaning("What a hit brings: near, up to the radius its weight of the surface's "
@@ -35,21 +31,14 @@ ParameterTable make_table() {
         });
 }
 
-class ReferencePathTraced final : public Method {
+class ReferencePathTraced final : public TracedMethod {
   public:
     ReferencePathTraced(const gl::Functions& gl, const ResolvedParameters& resolved)
-        : m_gl(gl), m_params(make_table().bind<ReferencePathTracedParams>(resolved)) {}
+        : TracedMethod(gl, "reference_path_traced", TracedImages::visibility_and_radiance),
+          m_params(make_table().bind<ReferencePathTracedParams>(resolved)) {}
 
-    MethodRequests get_requests() const override { return {{}, true}; }
-
-    void resize(ImageSize size) override {
-        m_visibility = gl::Texture(m_gl, GL_R32F, size);
-        m_radiance = gl::Texture(m_gl, GL_RGBA16F, size);
-    }
-
-    MethodOutput render(const MethodInputs& inputs, PassRecorder& passes) override {
-        const auto pass = passes.scope("reference_path_traced/trace");
-        ALCOVE_ASSERT(inputs.geometry != nullptr, "posed geometry was requested");
+  private:
+    TracedFrame trace(const MethodInputs& inputs) override {
         ALCOVE_ASSERT(inputs.lights != nullptr, "lights come with every frame");
         m_tracer.update(*inputs.geometry);
         PathSettings settings;
@@ -60,19 +49,13 @@ class ReferencePathTraced final : public Method {
         settings.bounces = m_params.bounces;
         settings.rays_per_half = m_params.rays / 2;
         settings.seed = inputs.noise_seed;
-        const TracedRadiance traced =
+        TracedRadiance traced =
             m_tracer.trace(inputs.view.camera, inputs.view.size, *inputs.lights, settings);
-        gl::write_texture(m_gl, m_visibility, traced.visibility);
-        gl::write_texture(m_gl, m_radiance, compute_mean(traced.indirect));
-        return {&m_visibility, &m_radiance};
+        return {std::move(traced.visibility), compute_mean(traced.indirect)};
     }
 
-  private:
-    const gl::Functions& m_gl;
     ReferencePathTracedParams m_params;
     PathTracer m_tracer;
-    gl::Texture m_visibility;
-    gl::Texture m_radiance;
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "methods/reference_ray_traced/reference_ray_traced.hpp"
 
 #include "methods/common/ray_tracer.hpp"
+#include "methods/common/traced_method.hpp"
 #include "methods/common/traced_target.hpp"
 
 namespace alcove {
@@ -8,52 +9,33 @@ namespace {
 
 ParameterTable make_table() {
     using P = ReferenceRayTracedParams;
-    return describe_parameters(
-        "reference_ray_traced",
-        {
-            describe_target_radius(&P::radius),
-            integer(&P::rays, "rays")
-                .range(2, 16384)
-                .log_scale()
-                .unit("rays")
-                .symbol("N")
-                .meaning("Rays a pixel in all, in two independent halves; an odd number is rounded "
-                         "down.")
-                .source("ours"),
-            describe_target_falloff(&P::falloff),
-            describe_target_weighting(&P::weighting),
-            describe_target_normals(&P::normals),
-        });
+    return describe_parameters("reference_ray_traced", {
+                                                           describe_target_radius(&P::radius),
+                                                           describe_reference_rays(&P::rays),
+                                                           describe_target_falloff(&P::falloff),
+                                                           describe_target_weighting(&P::weighting),
+                                                           describe_target_normals(&P::normals),
+                                                       });
 }
 
-class ReferenceRayTraced final : public Method {
+class ReferenceRayTraced final : public TracedMethod {
   public:
     ReferenceRayTraced(const gl::Functions& gl, const ResolvedParameters& resolved)
-        : m_gl(gl), m_params(make_table().bind<ReferenceRayTracedParams>(resolved)) {}
+        : TracedMethod(gl, "reference_ray_traced", TracedImages::visibility),
+          m_params(make_table().bind<ReferenceRayTracedParams>(resolved)) {}
 
-    MethodRequests get_requests() const override { return {{}, true}; }
-
-    void resize(ImageSize size) override { m_visibility = gl::Texture(m_gl, GL_R32F, size); }
-
-    MethodOutput render(const MethodInputs& inputs, PassRecorder& passes) override {
-        const auto pass = passes.scope("reference_ray_traced/trace");
-        ALCOVE_ASSERT(inputs.geometry != nullptr, "posed geometry was requested");
+  private:
+    TracedFrame trace(const MethodInputs& inputs) override {
         m_tracer.update(*inputs.geometry);
         TraceSettings settings;
         settings.target = {m_params.radius, m_params.falloff, m_params.weighting, m_params.normals};
         settings.rays_per_half = m_params.rays / 2;
         settings.seed = inputs.noise_seed;
-        gl::write_texture(
-            m_gl, m_visibility,
-            compute_mean(m_tracer.trace(inputs.view.camera, inputs.view.size, settings)));
-        return {&m_visibility, nullptr};
+        return {compute_mean(m_tracer.trace(inputs.view.camera, inputs.view.size, settings)), {}};
     }
 
-  private:
-    const gl::Functions& m_gl;
     ReferenceRayTracedParams m_params;
     RayTracer m_tracer;
-    gl::Texture m_visibility;
 };
 
 } // namespace

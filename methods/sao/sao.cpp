@@ -158,13 +158,8 @@ MethodUnit sao_unit() {
     };
     unit.create = [](gl::Context& context, const ResolvedParameters& resolved) {
         const auto params = make_table().bind<SaoParams>(resolved);
-        EstimatorRecipe recipe;
-        recipe.name = "sao";
-        recipe.kernel = make_spiral(params.samples, params.turns);
-        recipe.resolution = params.resolution;
-        recipe.blur_radius = params.blur_radius;
-        recipe.upsample_width = params.upsample_width;
-        recipe.edge_distance_m = params.blur_edge * params.radius;
+        const EstimatorRecipe recipe =
+            make_estimator_recipe("sao", params, make_spiral(params.samples, params.turns));
         return make_estimator_method(context.functions(), make_table(), resolved, recipe,
                                      std::make_unique<Pyramid>(context.functions(), resolved));
     };

@@ -12,12 +12,8 @@ ParameterTable make_table() {
     return describe_parameters(
         "shadow_correction",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
+            describe_radius(&P::radius)
                 .symbol("r_max")
-                .default_expression("scene_radius")
                 .alive_with("environment_lights=8,segment=radius")
                 .meaning("Largest distance of what blocks in screen space; limit of the clamped "
                          "bias; length of the segment `radius`.")
@@ -27,11 +23,7 @@ ParameterTable make_table() {
                 .alive_with("environment_lights=8")
                 .meaning("Shadow maps; without them there is the screen alone.")
                 .source(kRitschel2009),
-            integer(&P::map_size, "map_size")
-                .range(16, 4096)
-                .log_scale()
-                .rebuild()
-                .unit("texels")
+            describe_map_size(&P::map_size, "map_size", 4096)
                 .meaning("Side of the map of a light of the scene.")
                 .source(kRitschel2009),
             describe_map_bias(&P::bias).alive_with("environment_lights=8,correction=false"),
@@ -58,12 +50,8 @@ ParameterTable make_table() {
                 .meaning("Directional lights that the surroundings become, of equal energy; 0: "
                          "nothing blocks the light of the surroundings.")
                 .source("Ritschel et al. 2009: 256"),
-            integer(&P::environment_map_size, "environment_map_size")
-                .range(16, 2048)
-                .log_scale()
-                .rebuild()
+            describe_map_size(&P::environment_map_size, "environment_map_size", 2048)
                 .alive_with("environment_lights=8")
-                .unit("texels")
                 .meaning("Side of the map of a light of the surroundings.")
                 .source(kRitschel2009),
         });

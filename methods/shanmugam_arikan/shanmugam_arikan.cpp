@@ -60,8 +60,10 @@ class ShanmugamArikan final : public Method {
     void resize(ImageSize size) override {
         m_visibility = gl::Texture(m_gl, GL_R32F, size);
         m_framebuffer = gl::create_framebuffer(m_gl, {&m_visibility});
-        m_near_occlusion = gl::Texture(m_gl, GL_R32F, size);
-        m_near_framebuffer = gl::create_framebuffer(m_gl, {&m_near_occlusion});
+        if (m_params.part != OcclusionPart::far) {
+            m_near_occlusion = gl::Texture(m_gl, GL_R32F, size);
+            m_near_framebuffer = gl::create_framebuffer(m_gl, {&m_near_occlusion});
+        }
         if (m_billboards) {
             m_billboards->resize(size);
         }
@@ -126,7 +128,7 @@ class ShanmugamArikan final : public Method {
     FullScreenProgram m_combine;
     std::optional<Billboards> m_billboards;
     gl::BufferHandle m_kernel;
-    gl::Texture m_near_occlusion;
+    gl::Texture m_near_occlusion; ///< none without the near part
     gl::FramebufferHandle m_near_framebuffer;
     gl::Texture m_visibility;
     gl::FramebufferHandle m_framebuffer;

@@ -24,14 +24,7 @@ ParameterTable make_table() {
         "ssao_environment",
         {
             describe_radius(&P::radius),
-            integer(&P::samples, "samples")
-                .range(4, 256)
-                .log_scale()
-                .rebuild()
-                .unit("samples")
-                .symbol("N")
-                .meaning("Samples a pixel.")
-                .source(kRitschel2009),
+            describe_set_samples(&P::samples).meaning("Samples a pixel."),
             describe_tile(&P::tile),
             choice(&P::weighting, "weighting", {"cosine", "uniform"})
                 .rebuild()

@@ -1,5 +1,6 @@
 #include "methods/ssdo/ssdo.hpp"
 
+#include "methods/common/bounce_parameters.hpp"
 #include "methods/common/estimator_parameters.hpp"
 #include "methods/common/unit_parts.hpp"
 #include "methods/ssdo/ssdo_renderer.hpp"
@@ -12,39 +13,16 @@ ParameterTable make_table() {
     return describe_parameters(
         "ssdo",
         {
-            real(&P::radius, "radius")
-                .range(1e-4, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("r_max")
-                .default_expression("scene_radius")
-                .meaning("Reach of the samples.")
-                .source(kRitschel2009),
-            integer(&P::samples, "samples")
-                .range(4, 256)
-                .log_scale()
-                .rebuild()
-                .unit("samples")
-                .symbol("N")
-                .meaning("Samples a pixel and pass.")
-                .source(kRitschel2009),
+            describe_radius(&P::radius).symbol("r_max").source(kRitschel2009),
+            describe_set_samples(&P::samples).meaning("Samples a pixel and pass."),
             describe_tile(&P::tile),
             describe_fade(&P::fade),
             describe_border(&P::border),
             describe_bias(&P::bias),
-            real(&P::thickness, "thickness")
-                .range(1e-3, std::numeric_limits<double>::infinity())
-                .log_scale()
-                .unit("m")
-                .meaning("Depth of solids whose back no layer knows.")
-                .source("ours; inf: Ritschel et al. 2009"),
-            integer(&P::layers, "layers")
-                .range(1, kMostLayers)
-                .rebuild()
-                .unit("layers")
+            describe_thickness(&P::thickness),
+            describe_layers(&P::layers)
                 .meaning("Depth layers: 2 and 4 end solids where their backs are, and have them "
-                         "send light.")
-                .source(kRitschel2009),
+                         "send light."),
             integer(&P::views, "views")
                 .range(0, static_cast<int>(kMostViews))
                 .rebuild()
@@ -70,17 +48,9 @@ ParameterTable make_table() {
                 .rebuild()
                 .meaning("One bounce of light from blockers.")
                 .source(kRitschel2009),
-            real(&P::bounce_strength, "bounce_strength")
-                .range(0.0, 10.0)
-                .unit("pi r_max^2 / N")
-                .symbol("A_s")
-                .meaning("Area of a sender's patch.")
-                .source(kRitschel2009),
-            real(&P::distance_clamp, "distance_clamp")
-                .range(1e-6, 1e3)
-                .log_scale()
-                .unit("m")
-                .symbol("d")
+            describe_sender_area(&P::bounce_strength, "bounce_strength")
+                .meaning("Area of a sender's patch."),
+            describe_sender_clamp(&P::distance_clamp, "distance_clamp")
                 .default_expression("0.5*radius")
                 .meaning("Least distance of a sender.")
                 .source("Ritschel et al. 2009: 1; in radii: ours"),

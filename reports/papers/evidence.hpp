@@ -35,7 +35,8 @@ class Evidence {
     /// base G-buffer and compose, the whole frame.
     [[nodiscard]] std::map<int, double> get_cost_ms(const CellAddress& address) const;
     [[nodiscard]] std::map<int, double> get_frame_ms(const CellAddress& address) const;
-    /// By repeat, the median over frames of some passes' sum, in milliseconds.
+    /// By repeat, the sum of some passes' medians over frames, in milliseconds. Throws InputError
+    /// if the cell has no such pass.
     [[nodiscard]] std::map<int, double> get_passes_ms(const CellAddress& address,
                                                       const std::vector<std::string>& passes) const;
     /// What a pass fetches a pixel; nothing unless the part's run counted it.

@@ -2,8 +2,8 @@
 
 #include "reports/analysis/wording.hpp"
 #include "reports/papers/artifacts/artifacts_parts.hpp"
-#include "reports/papers/claim.hpp"
 #include "reports/papers/estimates.hpp"
+#include "reports/papers/start_reproduction.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -223,12 +223,8 @@ Reproduction reproduce_artifacts(const Evidence& evidence, const std::string& sc
                          "visibility, one value a pixel, that metrics of a run look at. Figure 4.6 "
                          "shows it; core_frame_compose_samples_test counts wrong edge pixels of "
                          "both fetches");
-    Reproduction reproduction;
-    reproduction.paper = "BLOG";
-    reproduction.citation = "\"Know your SSAO artifacts\". 2013.";
-    reproduction.scale = scale;
-    reproduction.context = evidence.context();
-    reproduction.verdicts = judge.finish(load_claims("BLOG"));
+    Reproduction reproduction =
+        start_reproduction("BLOG", "\"Know your SSAO artifacts\". 2013.", evidence, scale, judge);
     reproduction.tables = {make_catalogue(evidence, artifacts), make_angles_table(),
                            make_indices_table(evidence)};
     reproduction.figures = make_pairs(evidence, artifacts);

@@ -1,7 +1,7 @@
 #include "reports/papers/shanmugam_arikan/shanmugam_arikan.hpp"
 
-#include "reports/papers/claim.hpp"
 #include "reports/papers/shanmugam_arikan/shanmugam_arikan_parts.hpp"
+#include "reports/papers/start_reproduction.hpp"
 
 #include <array>
 #include <numbers>
@@ -48,16 +48,13 @@ Reproduction reproduce_shanmugam_arikan(const Evidence& evidence, const std::str
     judge_shanmugam_arikan_quality(evidence, judge);
     judge_shanmugam_arikan_times(evidence, judge);
     list_shanmugam_arikan_untestable(judge);
-    Reproduction reproduction;
-    reproduction.paper = "SA07";
-    reproduction.citation = "Shanmugam, Arikan. Hardware accelerated ambient occlusion techniques "
-                            "on GPUs. 2007.";
-    reproduction.scale = scale;
-    reproduction.context = evidence.context();
-    reproduction.verdicts = judge.finish(load_claims("SA07"));
+    Reproduction reproduction =
+        start_reproduction("SA07",
+                           "Shanmugam, Arikan. Hardware accelerated ambient occlusion techniques "
+                           "on GPUs. 2007.",
+                           evidence, scale, judge);
     reproduction.tables = make_shanmugam_arikan_tables(evidence);
     reproduction.figures = make_shanmugam_arikan_figures(evidence);
-    reproduction.errata = load_errata("SA07");
     return reproduction;
 }
 

@@ -1,7 +1,7 @@
 #include "reports/papers/ssdo/ssdo.hpp"
 
-#include "reports/papers/claim.hpp"
 #include "reports/papers/ssdo/ssdo_parts.hpp"
+#include "reports/papers/start_reproduction.hpp"
 
 #include <array>
 
@@ -89,16 +89,13 @@ Reproduction reproduce_ssdo(const Evidence& evidence, const std::string& scale) 
     judge_ssdo_truth(evidence, judge);
     judge_ssdo_shadows(evidence, judge);
     list_ssdo_untestable(judge);
-    Reproduction reproduction;
-    reproduction.paper = "SSDO";
-    reproduction.citation = "Ritschel, Grosch, Seidel. Approximating dynamic global illumination "
-                            "in image space. 2009.";
-    reproduction.scale = scale;
-    reproduction.context = evidence.context();
-    reproduction.verdicts = judge.finish(load_claims("SSDO"));
+    Reproduction reproduction =
+        start_reproduction("SSDO",
+                           "Ritschel, Grosch, Seidel. Approximating dynamic global illumination "
+                           "in image space. 2009.",
+                           evidence, scale, judge);
     reproduction.tables = make_ssdo_tables(evidence);
     reproduction.figures = make_ssdo_figures(evidence);
-    reproduction.errata = load_errata("SSDO");
     return reproduction;
 }
 

@@ -1,6 +1,6 @@
 #include "reports/papers/tssao/tssao.hpp"
 
-#include "reports/papers/claim.hpp"
+#include "reports/papers/start_reproduction.hpp"
 #include "reports/papers/tssao/tssao_parts.hpp"
 
 namespace alcove {
@@ -11,16 +11,13 @@ Reproduction reproduce_tssao(const Evidence& evidence, const std::string& scale)
     judge_tssao_states(evidence, judge);
     judge_tssao_quality(evidence, judge);
     list_tssao_untestable(judge);
-    Reproduction reproduction;
-    reproduction.paper = "TSSAO";
-    reproduction.citation = "Mattausch, Scherzer, Wimmer. High-quality screen-space ambient "
-                            "occlusion using temporal coherence. 2010.";
-    reproduction.scale = scale;
-    reproduction.context = evidence.context();
-    reproduction.verdicts = judge.finish(load_claims("TSSAO"));
+    Reproduction reproduction =
+        start_reproduction("TSSAO",
+                           "Mattausch, Scherzer, Wimmer. High-quality screen-space ambient "
+                           "occlusion using temporal coherence. 2010.",
+                           evidence, scale, judge);
     reproduction.tables = make_tssao_tables(evidence);
     reproduction.figures = make_tssao_figures(evidence);
-    reproduction.errata = load_errata("TSSAO");
     return reproduction;
 }
 
