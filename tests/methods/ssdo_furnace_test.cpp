@@ -13,7 +13,7 @@
 namespace alcove {
 namespace {
 
-constexpr ImageSize kSize{96, 72};
+constexpr ImageSize kSize{192, 144};
 constexpr int kFrame = 28;
 
 /// What the mean over surfaces of direct light and bounce may be of path tracing's, where it is
@@ -32,7 +32,7 @@ double compute_open_error() {
     for (const double set : sets) {
         squares += (set - 1.0) * (set - 1.0) / 16.0;
     }
-    return std::sqrt(squares / 16.0);
+    return std::sqrt(squares);
 }
 
 double average_over_surfaces(const Image& radiance, const LightShot& shot) {
@@ -64,7 +64,7 @@ TEST_P(SsdoFurnaceTest, GivesNoMoreThanItHolds) {
     const FrameView view = make_frame_view(scene->get_walkthrough(), frame, kSize, true);
     PathSettings settings;
     settings.radius_m = scene->get_ao_radius_m();
-    settings.rays_per_half = 32;
+    settings.rays_per_half = 16;
     PathTracer tracer;
     tracer.update(pose_geometry(*scene, view.time_s));
     const Image truth =

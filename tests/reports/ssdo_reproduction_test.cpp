@@ -106,7 +106,7 @@ Planted plant_errors() {
 TEST_F(SsdoReproduction, HasAVerdictForEachClaimAndRowsThatFit) {
     const Reproduction reproduction = reproduce({});
     EXPECT_EQ(reproduction.verdicts.size(), 90u);
-    EXPECT_EQ(reproduction.tables.size(), 8u);
+    EXPECT_EQ(reproduction.tables.size(), 10u);
     for (const PaperTable& table : reproduction.tables) {
         EXPECT_FALSE(table.rows.empty()) << table.id;
         for (const std::vector<std::string>& row : table.rows) {
