@@ -125,6 +125,17 @@ glm::dvec3 decode_octahedral(const glm::dvec2& coordinates) {
     return glm::normalize(glm::dvec3(square.x, height, square.y));
 }
 
+glm::ivec2 wrap_octahedral(const glm::ivec2& texel, int side) {
+    glm::ivec2 wrapped = texel;
+    if (texel.x < 0 || texel.x >= side) {
+        wrapped = {texel.x < 0 ? 0 : side - 1, side - 1 - wrapped.y};
+    }
+    if (wrapped.y < 0 || wrapped.y >= side) {
+        wrapped = {side - 1 - wrapped.x, wrapped.y < 0 ? 0 : side - 1};
+    }
+    return wrapped;
+}
+
 Environment::Environment(const std::function<glm::vec3(const glm::dvec3&)>& radiance,
                          std::string_view where)
     : m_radiance({kSide, kSide}, 3) {
@@ -169,6 +180,22 @@ Environment Environment::from_equirectangular(const Image& image, std::string_vi
         return glm::vec3(means.at(x, y, 0), means.at(x, y, 1), means.at(x, y, 2));
     };
     return Environment(look, where);
+}
+
+glm::vec3 Environment::interpolate(const glm::dvec3& direction) const {
+    const glm::dvec2 place = encode_octahedral(direction) * double(kSide) - 0.5;
+    const glm::ivec2 corner(glm::floor(place));
+    const glm::dvec2 share = glm::fract(place);
+    glm::dvec3 sum(0.0);
+    for (int i = 0; i < 4; ++i) {
+        const glm::ivec2 step(i % 2, i / 2);
+        const glm::ivec2 texel = wrap_octahedral(corner + step, kSide);
+        const glm::dvec2 weight = glm::mix(1.0 - share, share, glm::dvec2(step));
+        sum += weight.x * weight.y *
+               glm::dvec3(m_radiance.at(texel.x, texel.y, 0), m_radiance.at(texel.x, texel.y, 1),
+                          m_radiance.at(texel.x, texel.y, 2));
+    }
+    return glm::vec3(sum);
 }
 
 glm::vec3 Environment::look_up(const glm::dvec3& direction) const {

@@ -21,6 +21,10 @@ namespace alcove {
 [[nodiscard]] glm::dvec2 encode_octahedral(const glm::dvec3& direction);
 /// The unit direction of texture coordinates.
 [[nodiscard]] glm::dvec3 decode_octahedral(const glm::dvec2& coordinates);
+/// The texel of an octahedral map of `side` x `side` that lies on the sphere where `texel` would,
+/// up to one beyond the border: each edge meets itself in mirror image, the corners meet in one
+/// point.
+[[nodiscard]] glm::ivec2 wrap_octahedral(const glm::ivec2& texel, int side);
 
 class Environment {
   public:
@@ -44,6 +48,10 @@ class Environment {
     [[nodiscard]] const Image& prefiltered() const noexcept { return m_prefiltered; }
     /// The texel that a direction falls into.
     [[nodiscard]] glm::vec3 look_up(const glm::dvec3& direction) const;
+    /// Between the middles of the four texels around, also across the map's border: for pictures
+    /// of the surroundings themselves, which would show the texels. `direction` need not be unit,
+    /// not 0.
+    [[nodiscard]] glm::vec3 interpolate(const glm::dvec3& direction) const;
     /// Of the bits of radiance(): equal light, equal hash.
     [[nodiscard]] const std::string& content_hash() const noexcept { return m_hash; }
 

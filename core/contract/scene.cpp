@@ -169,6 +169,14 @@ glm::vec3 compute_surrounding_radiance(const Lights& lights, const glm::dvec3& d
     return lights.environment->look_up(glm::rotateY(direction, -lights.environment_turn_radians));
 }
 
+glm::vec3 compute_background_radiance(const Lights& lights, const glm::dvec3& direction) {
+    if (!lights.environment) {
+        return lights.ambient;
+    }
+    return lights.environment->interpolate(
+        glm::rotateY(direction, -lights.environment_turn_radians));
+}
+
 glm::vec3 compute_irradiance(const DirectionalLight& light, const glm::dvec3& normal) {
     return light.irradiance * static_cast<float>(std::max(glm::dot(normal, light.to_light), 0.0));
 }

@@ -125,6 +125,11 @@ struct Lights {
 [[nodiscard]] glm::vec3 compute_surrounding_radiance(const Lights& lights,
                                                      const glm::dvec3& direction);
 
+/// The same between an environment's texels, which would show: what a picture has behind
+/// everything.
+[[nodiscard]] glm::vec3 compute_background_radiance(const Lights& lights,
+                                                    const glm::dvec3& direction);
+
 /// Irradiance on a surface with this unit normal from one light that nothing blocks, on `position`
 /// (world); 0 on its back.
 [[nodiscard]] glm::vec3 compute_irradiance(const DirectionalLight& light, const glm::dvec3& normal);

@@ -217,7 +217,7 @@ void RowTracer::write_pixel(int x, int y, TracedRadiance& result) const {
     const bool has_parts = m_scope.settings.wants_parts;
     if (!pixel.albedo) {
         const glm::vec3 surroundings =
-            compute_surrounding_radiance(m_scope.lights, glm::dvec3(pixel.direction));
+            compute_background_radiance(m_scope.lights, glm::dvec3(pixel.direction));
         set_pixel(result.indirect.a, x, y, surroundings);
         set_pixel(result.indirect.b, x, y, surroundings);
         if (has_parts) {

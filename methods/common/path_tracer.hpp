@@ -41,8 +41,8 @@ struct TracedRadiance {
     /// From directional and point lights straight on, with shadow rays for those that cast shadows.
     /// Exact, so one image; background 0.
     Image direct;
-    /// Environment and bounce; background: the surroundings along the pixel's ray. Counts rays of
-    /// every kind, those of the camera and of shadows as well.
+    /// Environment and bounce; background: what compute_background_radiance gives along the pixel's
+    /// ray. Counts rays of every kind, those of the camera and of shadows as well.
     ReferencePair indirect;
     /// 1 - mean weight of the hits of the same rays (cosine): one channel, background 1.
     Image visibility;

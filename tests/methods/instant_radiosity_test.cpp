@@ -1,8 +1,10 @@
 #include "methods/instant_radiosity/instant_radiosity.hpp"
 
+#include "core/base/text.hpp"
 #include "core/frame/scene_renderer.hpp"
 #include "methods/instant_radiosity/virtual_lights.hpp"
 #include "tests/methods/light_shots.hpp"
+#include "tests/methods/shadow_rates.hpp"
 #include "tests/methods/traced_light_rig.hpp"
 #include "tests/test_scenes.hpp"
 
@@ -87,6 +89,12 @@ TEST_F(InstantRadiosityTest, VirtualLightsOfAPointInARoomCarryAllThatItSendsTime
                 0.01 * 1.5 * solid_angle);
 }
 
+glm::dvec3 locate_pixel(const Camera& camera, const Image& eye_depth, int x, int y) {
+    return camera.position +
+           double(eye_depth.at(x, y)) *
+               compute_pixel_direction(camera, eye_depth.size(), {x + 0.5, y + 0.5});
+}
+
 /// A floor and a wall that meet, white, under a sun that lights both.
 std::unique_ptr<LitScene> make_corner() {
     auto scene = std::make_unique<LitScene>(std::vector<Mesh>{
@@ -106,10 +114,7 @@ double measure_corner(const Image& bounce, const Image& eye_depth, const Camera&
     int count = 0;
     for (int y = 0; y < bounce.height(); ++y) {
         for (int x = 0; x < bounce.width(); ++x) {
-            const glm::dvec3 p =
-                camera.position +
-                double(eye_depth.at(x, y)) *
-                    compute_pixel_direction(camera, bounce.size(), {x + 0.5, y + 0.5});
+            const glm::dvec3 p = locate_pixel(camera, eye_depth, x, y);
             if (p.y < 0.3 && p.z < -1.7) {
                 sum += bounce.at(x, y, 1);
                 ++count;
@@ -154,8 +159,95 @@ TEST_F(InstantRadiosityTest, ClampLosesLightInACornerAndTheNearBounceGivesAPartB
     EXPECT_GT(added, part);
 }
 
+/// What the method's visibility is by shadow rays to the same virtual lights, for the scene's first
+/// camera; `shot` tells its surfaces.
+Image trace_visibility(const Scene& scene, const std::vector<VirtualLight>& lights,
+                       const LightShot& shot, double clamp_m) {
+    const Camera& camera = scene.get_walkthrough().cameras.front();
+    const ImageSize size = shot.eye_depth.size();
+    Image arriving(size, 1);
+    Image open(size, 1);
+    for (const VirtualLight& light : lights) {
+        // A tenth of a millimetre off the surface that it lies on, and bright enough for rays at
+        // any distance.
+        const glm::dvec3 place = light.position + 1e-4 * light.normal;
+        Lights one = make_surroundings(glm::vec3(0.0f));
+        one.points = {{place, glm::vec3(1e3f), std::nullopt, true}};
+        const Image seen = trace_shadows(LitLike(scene, one, 0), size);
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                const glm::dvec3 p = locate_pixel(camera, shot.eye_depth, x, y);
+                const glm::dvec3 n =
+                    camera.world_from_view * glm::dvec3(get_pixel(shot.normal, x, y));
+                const double distance = glm::distance(place, p);
+                const glm::dvec3 direction = (place - p) / distance;
+                const double cosine = glm::dot(n, direction);
+                const double sent = -glm::dot(light.normal, direction);
+                if (!std::isfinite(distance) || std::min(cosine, sent) <= 1e-3) {
+                    continue;
+                }
+                const double least = std::max(distance, clamp_m);
+                const auto amount = static_cast<float>(
+                    glm::dot(glm::dvec3(0.2126, 0.7152, 0.0722), glm::dvec3(light.intensity)) *
+                    cosine * sent / (least * least));
+                open.at(x, y) += amount;
+                arriving.at(x, y) += seen.at(x, y) == 1.0f ? amount : 0.0f;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < open.values().size(); ++i) {
+        float& value = open.values()[i];
+        value = value > 0.0f ? arriving.values()[i] / value : 1.0f;
+    }
+    return open;
+}
+
+/// Means over all pixels of what an image has too much and too little.
+struct Deviation {
+    double too_light = 0.0;
+    double too_dark = 0.0;
+};
+
+Deviation compare(const Image& image, const Image& truth) {
+    Deviation deviation;
+    const auto count = static_cast<double>(truth.values().size());
+    for (std::size_t i = 0; i < truth.values().size(); ++i) {
+        const auto difference = static_cast<double>(image.values()[i] - truth.values()[i]);
+        deviation.too_light += std::max(difference, 0.0) / count;
+        deviation.too_dark += std::max(-difference, 0.0) / count;
+    }
+    return deviation;
+}
+
+class CorrectionTest : public InstantRadiosityTest {
+  protected:
+    struct Deviations {
+        Deviation bias;
+        Deviation corrected;
+    };
+    /// Of 32 virtual lights, from shadow rays to them.
+    static Deviations measure_correction(const Scene& scene, double radius_m,
+                                         const std::string& settings, ImageSize size) {
+        const auto show = [&](const char* correction) {
+            return shoot(instant_radiosity_unit(),
+                         "near_bounce=off,vpls=32,radius=" + format_number(radius_m) + "," +
+                             settings + ",correction=" + correction,
+                         scene, size);
+        };
+        const LightShot bias = show("false");
+        const Image truth = trace_visibility(scene, place_lights(scene, 256, 32), bias, radius_m);
+        const Deviations deviations{compare(bias.visibility, truth),
+                                    compare(show("true").visibility, truth)};
+        RecordProperty("bias_too_light", std::to_string(deviations.bias.too_light));
+        RecordProperty("bias_too_dark", std::to_string(deviations.bias.too_dark));
+        RecordProperty("corrected_too_light", std::to_string(deviations.corrected.too_light));
+        RecordProperty("corrected_too_dark", std::to_string(deviations.corrected.too_dark));
+        return deviations;
+    }
+};
+
 // Ritschel et al. 2009, figure 11: small shadows of virtual lights come back.
-TEST_F(InstantRadiosityTest, CorrectionBringsContactShadowsOfVirtualLightsBack) {
+TEST_F(CorrectionTest, BringsContactShadowsOfVirtualLightsBack) {
     std::vector<Mesh> meshes{make_floor(1.0f, 0.0f)};
     meshes.push_back(make_quad({-1, 0, -1}, {1, 0, -1}, {1, 1, -1}, {-1, 1, -1}));
     for (int i = 0; i < 25; ++i) {
@@ -169,27 +261,50 @@ TEST_F(InstantRadiosityTest, CorrectionBringsContactShadowsOfVirtualLightsBack) 
     scene.set_lights(lights);
     scene.set_camera(make_look_at_camera({0.0, 0.6, 0.75}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0},
                                          std::numbers::pi / 3.0, 0.01, 100.0));
-    const auto show = [&](const std::string& settings) {
-        return shoot(instant_radiosity_unit(), "near_bounce=off,radius=0.2,vpls=32," + settings,
-                     scene, {128, 96})
-            .visibility;
-    };
-    const Image fine = show("map_size=1024,correction=false");
-    const auto measure = [&](const Image& image) {
-        double missing = 0.0;
-        double wrong = 0.0;
-        for (std::size_t i = 0; i < image.values().size(); ++i) {
-            const double difference = image.values()[i] - fine.values()[i];
-            missing += std::max(difference, 0.0);
-            wrong += std::max(-difference, 0.0);
+    const auto [bias, corrected] = measure_correction(scene, 0.2, "map_size=64", {128, 96});
+    EXPECT_LT(corrected.too_light, 0.6 * bias.too_light);
+    EXPECT_LT(corrected.too_light + corrected.too_dark, bias.too_light + bias.too_dark);
+}
+
+// Round shapes that low light reaches: most of it from beyond the maps' angle of view.
+TEST_F(CorrectionTest, IsNearerToShadowRaysAtToesAndDarkensNothingElse) {
+    const auto toes =
+        open_lit_scene("toes", "", "environment=uniform,environment_level=0,shadows=true");
+    const LitLike scene(*toes, toes->get_lights(), 60);
+    const auto [bias, corrected] = measure_correction(scene, 0.05, "map_size=256", kSize);
+    EXPECT_LT(corrected.too_light, 0.5 * bias.too_light);
+    EXPECT_LT(corrected.too_dark, 0.1 * bias.too_light);
+}
+
+// Virtual lights on a floor lie in the plane of its points, above or below by rounding: no
+// correction may turn what they do not send into a shadow.
+TEST_F(InstantRadiosityTest, AFloorThatNothingLightsButItselfIsOpen) {
+    LitScene scene({make_floor(1.0f, 0.0f),
+                    paint(make_box({-0.1f, 0.0f, -0.1f}, {0.1f, 0.1f, 0.1f}), glm::vec3(0.0f))});
+    Lights lights = make_surroundings(glm::vec3(0.0f));
+    lights.directional = {{glm::normalize(glm::dvec3(0.6, 1.0, 0.5)), glm::vec3(1.0f), true}};
+    scene.set_lights(lights);
+    const Camera camera = make_look_at_camera({0.1, 0.25, 0.6}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0},
+                                              std::numbers::pi / 4.0, 0.01, 100.0);
+    scene.set_camera(camera);
+    const LightShot shot = shoot(instant_radiosity_unit(),
+                                 "near_bounce=off,radius=0.1,vpls=16,map_size=64", scene, kSize);
+    int floor_pixels = 0;
+    int dark = 0;
+    for (int y = 0; y < kSize.height; ++y) {
+        for (int x = 0; x < kSize.width; ++x) {
+            const glm::dvec3 p =
+                camera.position + double(shot.eye_depth.at(x, y)) *
+                                      compute_pixel_direction(camera, kSize, {x + 0.5, y + 0.5});
+            if (std::abs(p.y) < 1e-5) {
+                ++floor_pixels;
+                dark += shot.visibility.at(x, y) < 1.0f ? 1 : 0;
+            }
         }
-        const auto count = static_cast<double>(image.values().size());
-        return std::pair{missing / count, wrong / count};
-    };
-    const auto [missing, wrong] = measure(show("map_size=64,correction=false"));
-    const auto [corrected_missing, corrected_wrong] = measure(show("map_size=64"));
-    EXPECT_LT(corrected_missing, 0.6 * missing);
-    EXPECT_LT(corrected_missing + corrected_wrong, missing + wrong);
+    }
+    EXPECT_GT(floor_pixels, 3000);
+    EXPECT_EQ(dark, 0);
+    EXPECT_EQ(std::count(shot.passes.begin(), shot.passes.end(), "instant_radiosity/light"), 16);
 }
 
 TEST_F(InstantRadiosityTest, ASceneWithoutLightsGetsTheSurroundingsAlone) {

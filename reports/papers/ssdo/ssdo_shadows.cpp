@@ -116,8 +116,9 @@ void judge_virtual_lights(const Evidence& evidence, Judge& judge) {
          toes,
          fmt::format(
              "{}, 32 virtual lights with maps of 64 texels; measured: corrected - "
-             "bias. What the correction makes too dark is not asked here: the mean "
-             "difference to fine maps is {} corrected and {} with the bias alone",
+             "bias. The mean difference to fine maps, both ways, is {} corrected and {} with the "
+             "bias alone; fine maps miss shadows too, and methods_instant_radiosity_test holds "
+             "both against shadow rays",
              describe_round(evidence, "fig11_bias"),
              describe_estimate(estimate_value(evidence, "fig11_corrected", 0, "fine maps", "mae")),
              describe_estimate(estimate_value(evidence, "fig11_bias", 0, "fine maps", "mae")))});

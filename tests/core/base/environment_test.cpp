@@ -2,6 +2,7 @@
 
 #include "core/base/error.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -94,6 +95,69 @@ TEST(environment, a_single_bright_pixel_keeps_its_energy) {
     const double mean_texel = 4.0 * std::numbers::pi / (128.0 * 128.0);
     EXPECT_GT(sum * mean_texel, expected / 2.5);
     EXPECT_LT(sum * mean_texel, expected * 2.5);
+}
+
+TEST(environment, interpolation_meets_the_texels_in_their_middles_and_lies_between_them_elsewhere) {
+    const Environment sky(
+        [](const glm::dvec3& d) { return glm::vec3(static_cast<float>(2.0 + d.x + 0.5 * d.y)); },
+        "test");
+    const double side = Environment::kSide;
+    for (int i = 10; i < 110; i += 9) {
+        const glm::dvec3 middle = decode_octahedral({(i + 0.5) / side, (70 - i / 2 + 0.5) / side});
+        EXPECT_NEAR(sky.interpolate(middle).x, sky.look_up(middle).x, 1e-6f);
+        const glm::dvec3 between = decode_octahedral({(i + 1.0) / side, (70 - i / 2 + 0.5) / side});
+        // Linear light: half way between two texels is their mean, to second order.
+        EXPECT_NEAR(sky.interpolate(between).x, 2.0 + between.x + 0.5 * between.y, 1e-3);
+    }
+}
+
+TEST(environment, a_texel_beyond_the_border_is_the_neighbour_on_the_sphere) {
+    const int side = Environment::kSide;
+    const auto look_at = [side](const glm::ivec2& texel) {
+        return decode_octahedral({(texel.x + 0.5) / side, (texel.y + 0.5) / side});
+    };
+    for (int i = 0; i < side; ++i) {
+        for (const glm::ivec2& step :
+             {glm::ivec2(-1, 0), glm::ivec2(1, 0), glm::ivec2(0, -1), glm::ivec2(0, 1)}) {
+            const glm::ivec2 edge(step.x == 0 ? i : (step.x < 0 ? 0 : side - 1),
+                                  step.y == 0 ? i : (step.y < 0 ? 0 : side - 1));
+            // At the border's middle a step is 1 / 64 of the way between axes: 0.016 to 0.022.
+            EXPECT_LT(glm::distance(look_at(edge), look_at(wrap_octahedral(edge + step, side))),
+                      0.035)
+                << i << " " << step.x << " " << step.y;
+        }
+    }
+    EXPECT_EQ(wrap_octahedral({-1, -1}, side), glm::ivec2(side - 1));
+    EXPECT_EQ(wrap_octahedral({side, -1}, side), glm::ivec2(0, side - 1));
+    EXPECT_EQ(wrap_octahedral({5, 77}, side), glm::ivec2(5, 77));
+    EXPECT_EQ(wrap_octahedral({-1, 1}, 1), glm::ivec2(0));
+}
+
+TEST(environment, interpolation_has_no_seam_where_the_map_ends) {
+    // The border is the lower half of the planes x = 0 and z = 0.
+    const Environment sky(
+        [](const glm::dvec3& d) {
+            return glm::vec3(static_cast<float>(1.0 + std::sin(60.0 * d.x) * std::cos(50.0 * d.z)));
+        },
+        "test");
+    float steepest = 0.0f;
+    for (int i = 0; i < 400; ++i) {
+        const double angle = (i + 0.5) / 400.0 * std::numbers::pi;
+        for (const bool in_x : {false, true}) {
+            const auto look = [&](double across) {
+                const double along = std::cos(angle);
+                const double height = -std::sin(angle);
+                return sky
+                    .interpolate(in_x ? glm::dvec3(along, height, across)
+                                      : glm::dvec3(across, height, along))
+                    .x;
+            };
+            EXPECT_NEAR(look(-1e-7), look(1e-7), 1e-4f) << angle;
+            // A texel further the light is another: the test would see a seam.
+            steepest = std::max(steepest, std::abs(look(-0.02) - look(0.02)));
+        }
+    }
+    EXPECT_GT(steepest, 0.5f);
 }
 
 TEST(environment, refuses_what_is_no_light_and_no_map) {
