@@ -143,8 +143,10 @@ Environment::Environment(const std::function<glm::vec3(const glm::dvec3&)>& radi
         for (int x = 0; x < kSide; ++x) {
             glm::vec3 sum(0.0f);
             for (int i = 0; i < kDirectionsAcross * kDirectionsAcross; ++i) {
-                const double dx = (i % kDirectionsAcross + 0.5) / kDirectionsAcross;
-                const double dy = (i / kDirectionsAcross + 0.5) / kDirectionsAcross;
+                const int column = i % kDirectionsAcross;
+                const int row = i / kDirectionsAcross;
+                const double dx = (column + 0.5) / kDirectionsAcross;
+                const double dy = (row + 0.5) / kDirectionsAcross;
                 const glm::vec3 value =
                     radiance(decode_octahedral({(x + dx) / kSide, (y + dy) / kSide}));
                 if (!is_light(value)) {

@@ -96,8 +96,9 @@ std::vector<VirtualLight> ReflectiveShadowMaps::choose(int count, std::uint32_t 
     for (const Texel& texel : m_texels) {
         sum += texel.luminance;
         int times = 0;
-        for (; next < sum; next += step) {
+        while (next < sum) {
             ++times;
+            next += step;
         }
         if (times > 0) {
             // Chosen as often as its luminance says: an equal share each time, in its colour.
