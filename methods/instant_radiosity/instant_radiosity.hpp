@@ -35,7 +35,7 @@ struct InstantRadiosityParams {
     double near_strength = 1.0; ///< pi r_max^2 / N
     double near_clamp = 0.05;   ///< metres
     int tile = 4;               ///< pixels a side
-    double fade = 0.5;          ///< share of the radius
+    double fade = 0.8;          ///< share of the radius
     bool blur = true;
     double blur_edge = 0.1; ///< radii
 };
