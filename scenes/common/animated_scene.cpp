@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <glm/geometric.hpp>
+
 namespace alcove {
 namespace {
 
@@ -32,6 +34,13 @@ void check_object(const AnimatedSceneContent& content, const AnimatedObject& obj
                                       deformers.influences->joints.end(),
                                       [joints](std::uint16_t joint) { return joint < joints; }),
                       "influences of joints of the skin");
+    }
+}
+
+/// A node that is scaled to nothing for a moment leaves a light's direction as it was.
+void turn(glm::dvec3& direction, const glm::dvec3& to) {
+    if (glm::length(to) > 0.0) {
+        direction = glm::normalize(to);
     }
 }
 
@@ -95,6 +104,9 @@ AnimatedScene::AnimatedScene(AnimatedSceneContent content) : m_content(std::move
             build_clusters(m_content.meshes[i]);
         }
     }
+    ALCOVE_ASSERT(m_content.directional_nodes.size() <= m_content.lights.directional.size() &&
+                      m_content.point_nodes.size() <= m_content.lights.points.size(),
+                  "nodes of lights that exist");
     place_walkthrough(m_content.walkthrough, m_content.origin);
 }
 
@@ -121,6 +133,26 @@ Pose AnimatedScene::compute_pose(double time_s) const {
         transform[3] += glm::dvec4(m_content.origin, 0.0);
     }
     return pose;
+}
+
+Lights AnimatedScene::compute_lights(double time_s) const {
+    Lights lights = m_content.lights;
+    const Nodes nodes = find_nodes(time_s);
+    for (std::size_t i = 0; i < m_content.directional_nodes.size(); ++i) {
+        if (const auto node = m_content.directional_nodes[i]) {
+            turn(lights.directional[i].to_light, glm::dvec3(nodes->at(*node)[2]));
+        }
+    }
+    for (std::size_t i = 0; i < m_content.point_nodes.size(); ++i) {
+        if (const auto node = m_content.point_nodes[i]) {
+            PointLight& light = lights.points[i];
+            light.position = glm::dvec3(nodes->at(*node)[3]) + m_content.origin;
+            if (light.cone) {
+                turn(light.cone->direction, -glm::dvec3(nodes->at(*node)[2]));
+            }
+        }
+    }
+    return lights;
 }
 
 Deformation AnimatedScene::deform(std::size_t object, double time_s) const {

@@ -54,7 +54,11 @@ struct AnimatedSceneContent {
     /// A promise: nodes and weights are the same at all times. Objects may still be deforming:
     /// their meshes are not what a skin or weights make of them.
     bool is_at_rest = false;
-    Lights lights;
+    Lights lights; ///< at time 0, in the world
+    /// The moving nodes on which they hang, one a directional light and one a point; nothing, or
+    /// missing at the end: it stands still. A light shines along -z of its node.
+    std::vector<std::optional<std::size_t>> directional_nodes;
+    std::vector<std::optional<std::size_t>> point_nodes;
     Walkthrough walkthrough; ///< cameras and the pivots of tracks relative to the origin as well
     double ao_radius_m = 0.5;
     glm::dvec3 origin{0.0}; ///< as RigidSceneContent's
@@ -77,6 +81,7 @@ class AnimatedScene final : public Scene {
         return m_content.textures;
     }
     [[nodiscard]] const Lights& get_lights() const override { return m_content.lights; }
+    [[nodiscard]] Lights compute_lights(double time_s) const override;
     [[nodiscard]] const Walkthrough& get_walkthrough() const override {
         return m_content.walkthrough;
     }
@@ -84,7 +89,8 @@ class AnimatedScene final : public Scene {
     [[nodiscard]] glm::dvec3 get_origin() const override { return m_content.origin; }
     [[nodiscard]] Pose compute_pose(double time_s) const override;
     [[nodiscard]] Deformation deform(std::size_t object, double time_s) const override;
-    /// True if all objects are still, or the content is at rest and no track moves anything.
+    /// True if all objects are still, or the content is at rest and no track moves anything;
+    /// whether lights move is another matter.
     [[nodiscard]] bool is_static() const override { return m_is_static; }
 
   private:

@@ -42,6 +42,12 @@ nlohmann::json to_json(const glm::dvec3& v) {
     return {v.x, v.y, v.z};
 }
 
+/// Of a light, in the world.
+struct LightPlace {
+    glm::dvec3 position{0.0};
+    glm::dvec3 backward{0.0, 0.0, 1.0}; ///< against the direction it shines in
+};
+
 class SceneExporter {
   public:
     SceneExporter(const Scene& scene, std::string file)
@@ -202,39 +208,66 @@ class SceneExporter {
         return material;
     }
 
-    /// A node with a light whose strength is colour times intensity. It shines along its -z.
-    void add_light(nlohmann::json light, const glm::vec3& strength, const glm::dvec3& position,
-                   const glm::dvec3& backward) {
+    /// A node with a light whose strength is colour times intensity, where `find_place` has it in
+    /// the lights of a frame. It shines along its -z.
+    template <class FindPlace>
+    void add_light(nlohmann::json light, const glm::vec3& strength,
+                   const std::vector<Lights>& frames, FindPlace find_place) {
         const double intensity = std::max({strength.x, strength.y, strength.z});
         const glm::dvec3 color =
             intensity > 0.0 ? glm::dvec3(strength) / intensity : glm::dvec3(1.0);
-        m_children.push_back(m_glb.add(
+        std::vector<NodePlace> places;
+        for (const Lights& lights : frames) {
+            const LightPlace place = find_place(lights);
+            places.push_back({place.position - m_scene.get_origin(),
+                              glm::rotation(glm::dvec3(0.0, 0.0, 1.0), place.backward),
+                              glm::dvec3(1.0)});
+        }
+        const NodePlace& first = places.front();
+        const std::size_t node = m_glb.add(
             "nodes", {{"name", "light " + std::to_string(m_lights.size())},
-                      {"translation", to_json(position)},
-                      {"rotation", to_json(glm::rotation(glm::dvec3(0.0, 0.0, 1.0), backward))},
-                      {"extensions", {{"KHR_lights_punctual", {{"light", m_lights.size()}}}}}}));
+                      {"translation", to_json(first.translation)},
+                      {"rotation", to_json(first.rotation)},
+                      {"extensions", {{"KHR_lights_punctual", {{"light", m_lights.size()}}}}}});
+        if (std::any_of(places.begin(), places.end(), [&first](const NodePlace& place) {
+                return place.translation != first.translation || place.rotation != first.rotation;
+            })) {
+            m_motion.add(node, places);
+        }
+        m_children.push_back(node);
         light["color"] = to_json(color);
         light["intensity"] = intensity;
         m_lights.push_back(std::move(light));
     }
 
     void add_lights() {
-        const Lights& lights = m_scene.get_lights();
-        for (const DirectionalLight& light : lights.directional) {
-            add_light({{"type", "directional"}}, light.irradiance, glm::dvec3(0.0), light.to_light);
+        const Walkthrough& walkthrough = m_scene.get_walkthrough();
+        std::vector<Lights> frames;
+        for (std::size_t frame = 0; frame < walkthrough.cameras.size(); ++frame) {
+            frames.push_back(
+                m_scene.compute_lights(static_cast<double>(frame) * walkthrough.step_s));
         }
-        for (const PointLight& light : lights.points) {
-            const glm::dvec3 position = light.position - m_scene.get_origin();
-            if (light.cone) {
-                add_light({{"type", "spot"},
-                           {"spot",
-                            {{"innerConeAngle", light.cone->inner_radians},
-                             {"outerConeAngle", light.cone->outer_radians}}}},
-                          light.intensity, position, -light.cone->direction);
-            } else {
-                add_light({{"type", "point"}}, light.intensity, position,
-                          glm::dvec3(0.0, 0.0, 1.0));
+        const Lights& lights = m_scene.get_lights();
+        for (std::size_t i = 0; i < lights.directional.size(); ++i) {
+            add_light({{"type", "directional"}}, lights.directional[i].irradiance, frames,
+                      [this, i](const Lights& frame) {
+                          return LightPlace{m_scene.get_origin(), frame.directional[i].to_light};
+                      });
+        }
+        for (std::size_t i = 0; i < lights.points.size(); ++i) {
+            nlohmann::json light{{"type", "point"}};
+            if (const auto& cone = lights.points[i].cone) {
+                light = {{"type", "spot"},
+                         {"spot",
+                          {{"innerConeAngle", cone->inner_radians},
+                           {"outerConeAngle", cone->outer_radians}}}};
             }
+            add_light(std::move(light), lights.points[i].intensity, frames,
+                      [i](const Lights& frame) {
+                          const PointLight& point = frame.points[i];
+                          return LightPlace{point.position, point.cone ? -point.cone->direction
+                                                                       : glm::dvec3(0.0, 0.0, 1.0)};
+                      });
         }
         if (!m_lights.empty()) {
             m_glb.use_extension("KHR_lights_punctual", {{"lights", std::move(m_lights)}});

@@ -10,7 +10,7 @@
 namespace alcove {
 
 /// Writes one .glb, atomically: each mesh once, an object as a node with its mesh, albedo as base
-/// colour factor, colours as COLOR_0, textures as PNG, directional lights as KHR_lights_punctual,
+/// colour factor, colours as COLOR_0, textures as PNG, lights as KHR_lights_punctual,
 /// the walkthrough's camera. What moves becomes one animation with a key a frame of the
 /// walkthrough, and one after it, so that the last frame is within the clip. All of it hangs on a
 /// node at the scene's origin.

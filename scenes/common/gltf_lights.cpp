@@ -114,10 +114,11 @@ void expose(Lights& lights, double diagonal_m, GltfWarnings& warnings) {
 
 } // namespace
 
-Lights read_lights(const GltfDocument& document, const GltfTree& tree,
-                   const std::vector<glm::dmat4>& world, double diagonal_m,
-                   GltfWarnings& warnings) {
-    Lights lights;
+GltfLights read_lights(const GltfDocument& document, const GltfTree& tree,
+                       const std::vector<glm::dmat4>& world, double diagonal_m,
+                       GltfWarnings& warnings) {
+    GltfLights result;
+    Lights& lights = result.lights;
     const std::vector<bool> moving = find_moving(tree.nodes);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const auto& node = document.model->nodes[static_cast<std::size_t>(tree.indices[i])];
@@ -138,6 +139,8 @@ Lights read_lights(const GltfDocument& document, const GltfTree& tree,
             continue;
         }
         const glm::vec3 strength = read_strength(source, where);
+        (is_directional ? result.directional_nodes : result.point_nodes)
+            .push_back(moving[i] ? std::optional(i) : std::nullopt);
         if (is_directional) {
             lights.directional.push_back({read_backward(world[i], where), strength});
         } else {
@@ -147,12 +150,9 @@ Lights read_lights(const GltfDocument& document, const GltfTree& tree,
             }
             lights.points.push_back(light);
         }
-        if (moving[i]) {
-            warnings.insert("a moving light stays where it is at time 0: " + where);
-        }
     }
     expose(lights, diagonal_m, warnings);
-    return lights;
+    return result;
 }
 
 } // namespace alcove

@@ -93,7 +93,10 @@ std::unique_ptr<Scene> open_gltf_scene(const std::filesystem::path& path,
     }
 
     content.ao_radius_m = options.ao_radius_m.value_or(0.05 * diagonal_m);
-    content.lights = read_lights(document, tree, world, diagonal_m, notes);
+    GltfLights lights = read_lights(document, tree, world, diagonal_m, notes);
+    content.lights = std::move(lights.lights);
+    content.directional_nodes = std::move(lights.directional_nodes);
+    content.point_nodes = std::move(lights.point_nodes);
     if (content.lights.directional.empty() && content.lights.points.empty()) {
         content.lights.directional.push_back(
             {glm::normalize(glm::dvec3(0.4, 1.0, 0.6)), glm::vec3(1.0f)});

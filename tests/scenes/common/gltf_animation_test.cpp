@@ -183,6 +183,38 @@ TEST_F(GltfAnimation, RejectsHostileSkins) {
     replace(R"("sampler":0)", R"("sampler":4)", "channels[0].sampler");
 }
 
+TEST_F(GltfAnimation, LightsMoveAndTurnWithTheirNodes) {
+    AnimatedFile file;
+    const int positions = file.add_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", 3);
+    const int times = file.add_floats({0.0f, 1.0f, 2.0f}, "SCALAR", 1);
+    const int places = file.add_floats({0, 0, 0, 3, 0, 0, 0, 0, 0}, "VEC3", 3);
+    // A quarter turn about y and back.
+    const int turns =
+        file.add_floats({0, 0, 0, 1, 0, 0.70710678f, 0, 0.70710678f, 0, 0, 0, 1}, "VEC4", 4);
+    const auto hang = [](int light) {
+        return R"({"extensions":{"KHR_lights_punctual":{"light":)" + std::to_string(light) + "}}}";
+    };
+    const auto scene = open(file.text(
+        R"({"attributes":{)" + attribute("POSITION", positions) + "}}",
+        R"([{"children":[1,2,3,4]},{"mesh":0},)" + hang(0) + "," + hang(1) + "," + hang(2) + "]",
+        join_clips(join_clips(play("translation", times, places, "LINEAR", 2),
+                              play("rotation", times, turns, "LINEAR", 2)),
+                   play("rotation", times, turns, "LINEAR", 3)) +
+            R"(,"extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{}},)"
+            R"({"type":"directional"},{"type":"point"}]}})"));
+    const Lights begin = scene->compute_lights(0.0);
+    const Lights middle = scene->compute_lights(1.0);
+    ASSERT_EQ(begin.points.size(), 2u);
+    ASSERT_EQ(middle.points.size(), 2u);
+    EXPECT_LT(glm::distance(begin.points[0].position, glm::dvec3(0.0)), 1e-9);
+    EXPECT_LT(glm::distance(middle.points[0].position, glm::dvec3(3.0, 0.0, 0.0)), 1e-6);
+    EXPECT_LT(glm::distance(begin.points[0].cone->direction, glm::dvec3(0.0, 0.0, -1.0)), 1e-9);
+    EXPECT_LT(glm::distance(middle.points[0].cone->direction, glm::dvec3(-1.0, 0.0, 0.0)), 1e-6);
+    EXPECT_LT(glm::distance(begin.directional.at(0).to_light, glm::dvec3(0.0, 0.0, 1.0)), 1e-9);
+    EXPECT_LT(glm::distance(middle.directional.at(0).to_light, glm::dvec3(1.0, 0.0, 0.0)), 1e-6);
+    EXPECT_EQ(begin.points[1].position, middle.points[1].position);
+}
+
 TEST_F(GltfAnimation, PlaysStepLinearAndCubicKeys) {
     const auto open_moving = [this](const std::string& how, const std::vector<float>& values) {
         AnimatedFile file;

@@ -2,6 +2,7 @@
 
 #include "core/base/file.hpp"
 #include "scenes/common/gltf_scene.hpp"
+#include "scenes/common/lighting.hpp"
 #include "scenes/common/rigid_scene.hpp"
 #include "scenes/common/walkthrough_file.hpp"
 #include "scenes/common/walkthrough_writer.hpp"
@@ -205,6 +206,27 @@ TEST_F(GltfExport, WalkthroughComesBack) {
                                 written.cameras[i].world_from_view[2]),
                   1e-12);
     }
+}
+
+TEST_F(GltfExport, ALampThatGoesAroundComesBack) {
+    Lighting lighting;
+    lighting.params.lamp = LampKind::spot;
+    lighting.params.lamp_speed = 60.0;
+    lighting.params.lamp_level = 0.5;
+    const auto scene = relight(open_unit("template_scene", {}), lighting);
+    const auto back = reopen(*scene);
+    const Walkthrough& walkthrough = scene->get_walkthrough();
+    for (std::size_t frame = 0; frame < walkthrough.cameras.size(); frame += 5) {
+        const double time_s = static_cast<double>(frame) * walkthrough.step_s;
+        const PointLight lamp = scene->compute_lights(time_s).points.at(0);
+        const PointLight read = back->compute_lights(time_s).points.at(0);
+        EXPECT_LT(glm::distance(lamp.position, read.position), 1e-4) << frame;
+        EXPECT_LT(glm::distance(lamp.cone->direction, read.cone->direction), 1e-4) << frame;
+        EXPECT_LT(glm::distance(lamp.intensity, read.intensity), 1e-5f) << frame;
+    }
+    const DirectionalLight& sun = scene->get_lights().directional.at(0);
+    EXPECT_LT(glm::distance(back->compute_lights(0.5).directional.at(0).to_light, sun.to_light),
+              1e-6);
 }
 
 } // namespace
