@@ -13,6 +13,16 @@ layout(binding = 0) uniform sampler2D albedo_texture; // sRGB: decoded before it
 
 #ifdef HAS_PLACED_LIGHT
 in vec3 surface_position; // view space
+in vec4 tangent_plane;    // between those of the triangle's vertices
+
+// Where a facet that stands for a smooth surface is lit: lifted along the side's normal by what the tangent planes of its
+// vertices lie above it, each weighed as its vertex. On the facet itself solids of few facets shadow their own lit side.
+// This work is based on: Hanika. Hacking the shadow terminator. Ray Tracing Gems II. 2021.
+vec3 lift_off_facet(vec3 normal) {
+    float above = tangent_plane.w - dot(tangent_plane.xyz, surface_position);
+    float side = dot(normal, tangent_plane.xyz) < 0.0 ? -1.0 : 1.0;
+    return surface_position + max(side * above, 0.0) * normal;
+}
 #endif
 #ifdef WRITE_direct_light
 #include "core/frame/lights.glsl"
@@ -54,7 +64,7 @@ void main() {
 #endif
 #ifdef HAS_PLACED_LIGHT
     vec3 facet = normalize(cross(dFdx(surface_position), dFdy(surface_position)));
-    vec3 irradiance = compute_irradiance(surface_position, lit, facet);
+    vec3 irradiance = compute_irradiance(lift_off_facet(lit), lit, facet);
 #else
     vec3 irradiance = compute_irradiance(vec3(0.0), lit, lit);
 #endif

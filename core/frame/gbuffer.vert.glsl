@@ -25,6 +25,7 @@ out vec3 surface_albedo;
 flat out uint surface_id;
 #ifdef HAS_PLACED_LIGHT
 out vec3 surface_position;
+out vec4 tangent_plane; // unit normal, and the position's distance along it from the camera
 #endif
 #ifdef HAS_TEXTURE
 out vec2 texture_coordinates;
@@ -58,6 +59,8 @@ void main() {
     eye_depth = -view_position.z;
 #ifdef HAS_PLACED_LIGHT
     surface_position = view_position;
+    vec3 unit_normal = normalize(view_normal);
+    tangent_plane = vec4(unit_normal, dot(unit_normal, view_position));
 #endif
     motion = apply(motion_matrix, vec4(position, 1.0));
 #ifdef DEFORMS

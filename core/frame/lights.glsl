@@ -27,7 +27,7 @@ const float kDiagonal = 1.41421356;
 const float kSteepest = 5.6712818;
 
 // True if the face's map has something nearer to the light than p, which lies on a facet with normal f.
-bool is_in_shadow(ShadowFace face, vec3 p, vec3 f, vec3 to_light) {
+bool is_in_shadow(ShadowFace face, vec3 p, vec3 f) {
     vec3 q = vec3(dot(face.rows[0], vec4(p, 1.0)), dot(face.rows[1], vec4(p, 1.0)), dot(face.rows[2], vec4(p, 1.0)));
     float half_extent = face.extent.x * (face.extent.y > 0.5 ? q.z : 1.0);
     vec2 place = 0.5 + 0.5 * q.xy / half_extent;
@@ -36,9 +36,12 @@ bool is_in_shadow(ShadowFace face, vec3 p, vec3 f, vec3 to_light) {
     }
     float side = light_numbers.y;
     float stored = texelFetch(shadow_atlas, ivec2(face.corner.xy + place * side), 0).r;
-    float cosine = abs(dot(f, to_light));
-    float tangent = min(sqrt(max(1.0 - cosine * cosine, 0.0)) / max(cosine, 1e-4), kSteepest);
-    float bias = kDiagonal * half_extent / side * tangent;
+    // How depth along the face's axis changes over the facet's plane, metre by metre across: off the axis of a perspective
+    // also where the facet faces the light.
+    vec3 g = vec3(dot(face.rows[0].xyz, f), dot(face.rows[1].xyz, f), dot(face.rows[2].xyz, f));
+    vec3 ray = face.extent.y > 0.5 ? q / q.z : vec3(0.0, 0.0, 1.0);
+    float slope = min(length(g.xy) / max(abs(dot(g, ray)), 1e-4), kSteepest);
+    float bias = kDiagonal * half_extent / side * slope;
     return stored * (1.0 + 8.0 / 16777216.0) + bias < q.z;
 }
 
@@ -69,7 +72,7 @@ vec3 compute_irradiance(vec3 p, vec3 n, vec3 f) {
         int first = int(light.color.w);
         if (factor > 0.0 && first >= 0) {
             int face = light.cone.y > 1.5 ? first + choose_face(-to_light) : first;
-            factor = is_in_shadow(shadow_faces[face], p, f, direction) ? 0.0 : factor;
+            factor = is_in_shadow(shadow_faces[face], p, f) ? 0.0 : factor;
         }
         irradiance += light.color.rgb * factor;
     }

@@ -2,12 +2,15 @@
 #include "tests/methods/light_shots.hpp"
 
 #include "methods/ssao_environment/ssao_environment.hpp"
+#include "scenes/common/round_solids.hpp"
 #include "tests/methods/traced_light_rig.hpp"
 #include "tests/test_scenes.hpp"
 
 #include <cmath>
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtx/quaternion.hpp>
 #include <glm/trigonometric.hpp>
 
 namespace alcove {
@@ -92,6 +95,32 @@ TEST_F(RasterisedLightTest, SpotsShineIntoTheirConeAndCastShadows) {
     EXPECT_GT(difference.dark, 0.1);
 }
 
+// A smooth ball of few facets: where the light grazes it, a facet that turns away from the light
+// must not shadow itself.
+TEST_F(RasterisedLightTest, FacetsOfSmoothSolidsDoNotShadowTheirLitSide) {
+    constexpr ImageSize kSize{160, 120};
+    Lights lights = make_surroundings(glm::vec3(0.0f));
+    const glm::dvec3 to_light = glm::normalize(glm::dvec3(1.0, 0.4, 0.2));
+    lights.directional.push_back({to_light, glm::vec3(3.0f), true});
+    LitScene scene({make_ball_mesh("ball", glm::vec3(1.0f), 2)});
+    scene.set_lights(lights);
+    scene.set_camera(
+        make_look_at_camera({0.0, 0.0, 3.0}, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.8, 0.1, 50.0));
+    const LightShot shot = shoot(ssao_environment_unit(), "", scene, kSize);
+    int lit = 0;
+    int lost = 0;
+    for (std::size_t i = 0; i < shot.eye_depth.values().size(); ++i) {
+        const glm::dvec3 normal(shot.normal.values()[3 * i], shot.normal.values()[3 * i + 1],
+                                shot.normal.values()[3 * i + 2]);
+        if (std::isfinite(shot.eye_depth.values()[i]) && glm::dot(normal, to_light) > 0.05) {
+            ++lit;
+            lost += shot.direct.values()[3 * i] == 0.0f ? 1 : 0;
+        }
+    }
+    EXPECT_GT(lit, 2000);
+    EXPECT_EQ(lost, 0);
+}
+
 TEST_F(RasterisedLightTest, LightsWithoutShadowShineThroughEverything) {
     Lights lights = make_surroundings(glm::vec3(0.0f));
     lights.directional.push_back({glm::normalize(glm::dvec3(0.5, 1.0, 0.3)), glm::vec3(1.0f)});
@@ -117,6 +146,37 @@ TEST_F(RasterisedLightTest, NoPlaneShadowsItselfAtAnyAngle) {
         }
         // Below 10 degrees the bias stops growing: acne is the price of shadows that stay.
         EXPECT_EQ(elevation >= 10.0 ? dark : 0, 0) << elevation;
+    }
+}
+
+// Off the axis of a cube's face, depth changes from texel to texel of a wall that faces the lamp.
+TEST_F(RasterisedLightTest, NoWallThatFacesALampShadowsItself) {
+    for (const glm::dvec3& way :
+         {glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.9, 0.1, -1.0), glm::dvec3(0.6, 0.95, -0.9),
+          glm::dvec3(-1.0, -0.9, -0.95), glm::dvec3(0.3, -1.0, 0.8)}) {
+        const glm::dvec3 to_wall = glm::normalize(way);
+        Mesh wall = make_wall(1.0f, -2.0f);
+        const glm::mat3 turn(glm::mat3_cast(glm::rotation(glm::dvec3(0.0, 0.0, -1.0), to_wall)));
+        for (std::size_t i = 0; i < wall.positions.size(); ++i) {
+            wall.positions[i] = turn * wall.positions[i];
+            wall.normals[i] = turn * wall.normals[i];
+        }
+        Lights lights = make_surroundings(glm::vec3(0.0f));
+        lights.points.push_back({glm::dvec3(0.0), glm::vec3(1.0f), std::nullopt, true});
+        LitScene scene({wall});
+        scene.set_lights(lights);
+        scene.set_camera(
+            make_look_at_camera(glm::dvec3(0.0), to_wall, {0.0, 1.0, 0.0}, 0.8, 0.1, 50.0));
+        const LightShot shot = shoot(ssao_environment_unit(), "", scene, {160, 120});
+        int dark = 0;
+        int seen = 0;
+        for (std::size_t i = 0; i < shot.eye_depth.values().size(); ++i) {
+            const bool is_wall = std::isfinite(shot.eye_depth.values()[i]);
+            seen += is_wall ? 1 : 0;
+            dark += is_wall && shot.direct.values()[3 * i] == 0.0f ? 1 : 0;
+        }
+        EXPECT_GT(seen, 5000);
+        EXPECT_EQ(dark, 0) << way.x << " " << way.y << " " << way.z;
     }
 }
 
