@@ -8,8 +8,7 @@ namespace alcove::gl {
 namespace {
 
 constexpr GLuint kBinding = 7; ///< the last of the 8 that OpenGL 4.5 promises a stage
-constexpr std::string_view kCountingText = R"(
-layout(std430, binding = 7) buffer FetchCountBlock {
+constexpr std::string_view kCountingText = R"() buffer FetchCountBlock {
     uint fetch_count;
     uint fetch_count_overflows;
 };
@@ -36,8 +35,8 @@ constexpr Counts kZero{0, 0};
 
 } // namespace
 
-std::string_view get_counting_text() {
-    return kCountingText;
+std::string make_counting_text() {
+    return "layout(std430, binding = " + std::to_string(kBinding) + std::string(kCountingText);
 }
 
 FetchCounter::FetchCounter(Context& context)

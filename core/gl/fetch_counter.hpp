@@ -9,7 +9,8 @@
 #include "core/gl/context.hpp"
 #include "core/gl/handles.hpp"
 
-#include <string_view>
+#include <cstdint>
+#include <string>
 
 namespace alcove::gl {
 
@@ -33,6 +34,6 @@ class FetchCounter {
 
 /// GLSL that stands before a counting stage's own text. A fetch that it cannot count does not
 /// compile.
-[[nodiscard]] std::string_view get_counting_text();
+[[nodiscard]] std::string make_counting_text();
 
 } // namespace alcove::gl

@@ -145,8 +145,8 @@ std::string get_log(const Functions& gl, GLuint name, bool is_program) {
 
 ShaderHandle compile(const Functions& gl, const ShaderLibrary& library, const ShaderStage& stage,
                      const GeneratedFiles& generated) {
-    const ExpandedSource source = expand_includes(library, stage.file, generated,
-                                                  gl.counts_fetches ? get_counting_text() : "");
+    const ExpandedSource source = expand_includes(
+        library, stage.file, generated, gl.counts_fetches ? make_counting_text() : std::string());
     ShaderHandle shader(gl, gl.CreateShader(stage.stage));
     const char* text = source.text.c_str();
     gl.ShaderSource(shader.get(), 1, &text, nullptr);

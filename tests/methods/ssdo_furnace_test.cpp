@@ -16,17 +16,18 @@ namespace {
 constexpr ImageSize kSize{192, 144};
 constexpr int kFrame = 28;
 
-/// Bounds of the mean over surfaces of direct light and bounce against path tracing's, where it is more than 1.02: a
-/// hundredth above what was measured. Light from blocked directions is there without a bounce already (1.015 to 1.051): a
-/// sample asks where its end lies, not what lies on the way, and passes blockers that are thinner than the radius.
+/// Bounds of the mean over surfaces of direct light and bounce against path tracing's, where it is
+/// more than 1.02: a hundredth above what was measured. Light from blocked directions is there
+/// without a bounce already (1.015 to 1.051): a sample asks where its end lies, not what lies on
+/// the way, and passes blockers that are thinner than the radius.
 const std::map<std::string, double> kExceptions{{"city", 1.057},
                                                 {"closed_room", 1.036},
                                                 {"foliage_and_vehicle", 1.067},
                                                 {"molecule", 1.043},
                                                 {"pebbles", 1.041}};
 
-/// Relative standard error of an open pixel: the spread of its tile's sets, which are the same for
-/// all pixels.
+/// Relative standard error of one set of 16 samples in the open: the spread of a tile's sets. The
+/// blur takes the mean of all of them, but of fewer beside an edge.
 double compute_open_error() {
     const std::vector<glm::vec4> points = make_sample_sets(4, 16);
     std::vector<double> sets(16, 0.0);

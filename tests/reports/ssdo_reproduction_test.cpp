@@ -12,7 +12,8 @@ class SsdoReproduction : public testing::Test {
   protected:
     static Reproduction reproduce(const Planted& planted) {
         // Planned once: a scene of a part has a million triangles.
-        static ForgedRuns runs{"ssdo", {"ssdo/direct", "ssdo/bounce", "ssao_environment/occlusion"}};
+        static ForgedRuns runs{"ssdo",
+                               {"ssdo/direct", "ssdo/bounce", "ssao_environment/occlusion"}};
         return reproduce_ssdo(runs.forge(planted), "small");
     }
 };
